@@ -1,4 +1,4 @@
-mrroc_robot_loader(kinematics_robots)
+mrroc_kinematics_loader(kinematics_robots)
 mrroc_bench(kinematics
   SOURCES kinematics/main.cpp kinematics/chain_twin.cpp kinematics/contest.cpp kinematics/kdl_kinematics.cpp kinematics/postures.cpp
           kinematics/urdf_chain.cpp ${kinematics_robots_SOURCE}

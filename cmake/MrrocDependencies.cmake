@@ -45,6 +45,20 @@ set(BUILD_TESTS OFF CACHE BOOL "" FORCE)
 set(BUILD_SHARED_LIBS OFF CACHE BOOL "" FORCE)
 add_subdirectory(${MRROC_RUCKIG} ${CMAKE_BINARY_DIR}/ruckig EXCLUDE_FROM_ALL SYSTEM)
 
+# the writer and reader of recordings: headers of Foxglove, compiled once
+set(MRROC_MCAP ${CMAKE_SOURCE_DIR}/.deps/baglab_mcap_backend-1.1.0/third_party/mcap_repo)
+if(NOT EXISTS ${MRROC_MCAP}/cpp/mcap/include/mcap/writer.hpp)
+  message(FATAL_ERROR "MCAP is missing: run scripts/install_dependencies")
+endif()
+find_library(ZSTD zstd REQUIRED)
+file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/mcap.cpp
+  CONTENT "#define MCAP_IMPLEMENTATION\n#include <mcap/reader.hpp>\n#include <mcap/writer.hpp>\n")
+add_library(mrroc_mcap STATIC EXCLUDE_FROM_ALL ${CMAKE_BINARY_DIR}/mcap.cpp)
+set_target_properties(mrroc_mcap PROPERTIES POSITION_INDEPENDENT_CODE ON)
+target_compile_definitions(mrroc_mcap PUBLIC MCAP_COMPRESSION_NO_LZ4)
+target_include_directories(mrroc_mcap SYSTEM PUBLIC ${MRROC_MCAP}/cpp/mcap/include)
+target_link_libraries(mrroc_mcap PUBLIC ${ZSTD})
+
 # reference for our own kinematics in tests and benchmarks
 if(MRROC_TESTS OR MRROC_BENCH)
   find_package(urdfdom REQUIRED)

@@ -32,6 +32,16 @@ if(CMAKE_UNITY_BUILD)
   endfunction()
 endif()
 
+# mrroc_add_subfolders(): every folder here with a CMakeLists.txt, in alphabetical order.
+function(mrroc_add_subfolders)
+  file(GLOB parts RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} CONFIGURE_DEPENDS */CMakeLists.txt)
+  list(SORT parts)
+  foreach(part ${parts})
+    cmake_path(GET part PARENT_PATH folder)
+    add_subdirectory(${folder})
+  endforeach()
+endfunction()
+
 # mrroc_own_program(NAME FOLDER SOURCES ... [LINKS ...] [ROOMS ...]): one program of the project's own,
 # build/FOLDER/NAME, not in any package: benches, fuzzers, the task programs of tests. It includes the headers of ROOMS,
 # folders of the source tree.
@@ -68,7 +78,7 @@ endfunction()
 #   SLOTS    of `ctest -j`, two for each processor: 2, of a SERIAL test 1
 # Tests with a long TIMEOUT start first.
 function(mrroc_describe_test name)
-  cmake_parse_arguments(ARG "SLOW;SERIAL" "TIMEOUT;SLOTS;SHARDS" "LABELS;SOURCES;LINKS;COMMAND" ${ARGN}) # also of the callers
+  cmake_parse_arguments(ARG "ALONE;SLOW;SERIAL" "TIMEOUT;SLOTS;SHARDS" "LABELS;SOURCES;LINKS;COMMAND" ${ARGN}) # also of the callers
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 300)
   endif()
@@ -121,13 +131,63 @@ function(mrroc_test_executable name)
   mrroc_compile_as_test(${name})
 endfunction()
 
-# mrroc_test(NAME SOURCES ... LINKS ... [SHARDS n] [LABELS ...] [TIMEOUT s] [SLOTS n] [SLOW] [SERIAL]): one GoogleTest executable, one ctest entry;
+# mrroc_test_group(NAME): the tests that follow in this folder are compiled together into build/tests/NAME_tests: a source
+# that shares its unit with others takes a third of the time, most of which GCC spends on templates of Eigen that all of
+# them use. Each source of the group has a namespace of its own. Apart are tests that count allocations, tests of
+# SHARDS, tests with objects of other targets, and those that are ALONE: their GoogleTest environment is for all tests
+# of an executable.
+function(mrroc_test_group name)
+  set_property(DIRECTORY PROPERTY MRROC_TEST_GROUP ${name}_tests)
+  cmake_language(DEFER CALL mrroc_end_test_group)
+endfunction()
+
+function(mrroc_end_test_group)
+  get_property(group DIRECTORY PROPERTY MRROC_TEST_GROUP)
+  get_property(sources DIRECTORY PROPERTY MRROC_TEST_GROUP_SOURCES)
+  get_property(links DIRECTORY PROPERTY MRROC_TEST_GROUP_LINKS)
+  list(REMOVE_DUPLICATES sources)
+  list(REMOVE_DUPLICATES links)
+  add_executable(${group} ${sources} ${PROJECT_SOURCE_DIR}/tests/main.cpp)
+  set_target_properties(${group} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
+  target_link_libraries(${group} PRIVATE ${links})
+  mrroc_compile_as_test(${group})
+endfunction()
+
+# Adds a test to the group of its folder: build/tests/NAME runs the test cases of its sources.
+function(mrroc_test_of_group group name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})
+  foreach(source ${ARG_SOURCES})
+    file(STRINGS ${source} environments REGEX AddGlobalTestEnvironment)
+    if(environments)
+      message(FATAL_ERROR "${name}: ${source} has a GoogleTest environment, which would be of all tests of ${group}: add ALONE")
+    endif()
+  endforeach()
+  set_property(DIRECTORY APPEND PROPERTY MRROC_TEST_GROUP_SOURCES ${ARG_SOURCES})
+  set_property(DIRECTORY APPEND PROPERTY MRROC_TEST_GROUP_LINKS ${ARG_LINKS})
+  list(FILTER ARG_SOURCES INCLUDE REGEX "_test\\.cpp$")
+  cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE folder)
+  list(TRANSFORM ARG_SOURCES PREPEND "--of=${folder}/")
+  list(JOIN ARG_SOURCES " " files)
+  file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/tests/${name} @ONLY
+    CONTENT "#!/bin/sh\nexec \"\$(dirname \"\$0\")/${group}\" ${files} \"\$@\"\n")
+  file(CHMOD ${CMAKE_BINARY_DIR}/tests/${name} PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE
+    WORLD_READ WORLD_EXECUTE)
+  add_custom_target(${name})
+  add_dependencies(${name} ${group})
+endfunction()
+
+# mrroc_test(NAME SOURCES ... LINKS ... [SHARDS n] [LABELS ...] [TIMEOUT s] [SLOTS n] [SLOW] [SERIAL]): build/tests/NAME, GoogleTest, one ctest entry;
 # with SHARDS its test cases are distributed over the entries NAME_1 ... NAME_n, which run side by side.
 function(mrroc_test name)
-  cmake_parse_arguments(ARG "SLOW;SERIAL" "TIMEOUT;SLOTS;SHARDS" "SOURCES;LINKS;LABELS" ${ARGN})
-  mrroc_test_executable(${name} SOURCES ${ARG_SOURCES} LINKS ${ARG_LINKS})
+  cmake_parse_arguments(ARG "ALONE;SLOW;SERIAL" "TIMEOUT;SLOTS;SHARDS" "SOURCES;LINKS;LABELS" ${ARGN})
+  get_property(group DIRECTORY PROPERTY MRROC_TEST_GROUP)
+  if(group AND NOT ARG_ALONE AND NOT ARG_SHARDS AND NOT "allocation_count" IN_LIST ARG_LINKS AND NOT "${ARG_SOURCES}" MATCHES "\\$<")
+    mrroc_test_of_group(${group} ${name} SOURCES ${ARG_SOURCES} LINKS ${ARG_LINKS})
+  else()
+    mrroc_test_executable(${name} SOURCES ${ARG_SOURCES} LINKS ${ARG_LINKS})
+  endif()
   if(NOT ARG_SHARDS)
-    add_test(NAME ${name} COMMAND ${name})
+    add_test(NAME ${name} COMMAND ${CMAKE_BINARY_DIR}/tests/${name})
     mrroc_describe_test(${name} ${ARGN})
   else()
     foreach(shard RANGE 1 ${ARG_SHARDS})

@@ -29,9 +29,12 @@ set(MRROC_INCLUDED_HEADERS
   src/clock/gate.hpp
   src/clock/wall/monotonic.hpp
   src/config/deployment.hpp
+  src/config/entries/errors_entry.hpp
   src/config/entries/program_behaviours.hpp
   src/config/key_values.hpp
   src/core/lockfree/shared_slot.hpp
+  src/core/shared_memory.hpp
+  src/core/shared_ring.hpp
   src/faults/fault.hpp
   src/faults/fault_plan.hpp
   src/links/exchange/operator_requester.hpp
@@ -61,6 +64,7 @@ set(MRROC_INCLUDED_HEADERS
   src/process/process.hpp
   src/process/record/shared_black_box.hpp
   src/process/record/step_reporter.hpp
+  src/process/record/step_ring.hpp
   src/process/record/text_line.hpp
   src/process/record/trace_file.hpp
   src/process/status_board.hpp

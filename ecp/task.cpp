@@ -1,6 +1,7 @@
 #include <cstdio>
 #include <string_view>
 
+#include "ecp/superior_commands.hpp"
 #include "mrroc/ecp.hpp"
 #include "mrroc/stopped.hpp"
 #include "process/build_scope.hpp"
@@ -14,7 +15,11 @@ Task::Task()
       mp_(process().domain(), process().clock(), process().topic(process().name() + "/mp"),
           process().deployment().heartbeat_timeout),
       edp_(&robot_link(process().name(), process().deployment().robot(process().name()).type)),
-      requester_(dynamic_cast<links::RobotRequester*>(edp_)) {}
+      requester_(dynamic_cast<links::RobotRequester*>(edp_)),
+      superior_commands_(std::make_unique<SuperiorCommands>(process(), mp_)),
+      superior_(*superior_commands_) {}
+
+Task::~Task() = default;
 
 std::string Task::robot_name(const std::string& requested) const {
   if (requested.empty() || requested == process_name()) return process_name();
@@ -53,12 +58,16 @@ void Task::tell_parcel(const Message& parcel) {
   status.state = links::TaskState::running;
   status.tick = tick();
   status.parcel = parcel;
-  superior().report(status);
+  task_link().report(status);
 }
 
 void Task::relay() {
   std::uint64_t sequence = 0;
   while (mp_.take(command_, sequence)) {
+    if (command_.kind == CommandKind::end) {  // of a Move that this ECP has left
+      mp_.reply(state_, sequence);
+      continue;
+    }
     if (requester_ != nullptr) {
       requester_->forward(mp_, command_);
       requester_->receive(state_);
@@ -72,10 +81,11 @@ void Task::relay() {
 }
 
 void Task::poll_others() {
+  if (superior_commands_->joined()) return;
   std::uint64_t sequence = 0;
   while (mp_.take(command_, sequence)) {
     state_ = RobotState{};
-    state_.tick = tick();
+    state_.tick = state_.desired_tick = tick();
     state_.error.error_class = ErrorClass::non_fatal;
     state_.error.code = ErrorCode::busy;
     state_.error.detail.assign("the ECP runs its own task");

@@ -55,12 +55,17 @@ class Shell {
         feeds_.emplace_back(process.domain(), process.clock(), process.topic(place_.entry.name), sensor.name);
     servo_.use_emergency_stop(process.clock().emergency_stop());
     if (place_.entry.emergency_stop) servo_.use_emergency_terminal(*place_.entry.emergency_stop);
+    if (const int fd = process.arguments().record_fd; fd >= 0)
+      servo_.use_tap(tap_.emplace(ServoTap::attach(fd, kServoTapWhat)), process.clock().simulated());
     if (force_sensor_ == nullptr) return;
     servo_.use_force_sensor(*force_sensor_, place_.entry.force_limits);
     effector_.use_force_sensor(force_sensor_->mount());
   }
 
-  ~Shell() { process_.status().also({}); }
+  ~Shell() {
+    process_.status().also({});
+    if (tap_) tap_->end();
+  }
   Shell(const Shell&) = delete;
   Shell& operator=(const Shell&) = delete;
 
@@ -226,6 +231,7 @@ class Shell {
   std::unique_ptr<Hardware> hardware_;
   std::unique_ptr<ForceSensor> force_sensor_;  ///< null: no force sensor
   ServoChannel channel_;
+  std::optional<ServoTap> tap_;  ///< the run is recorded at the rate of servo ticks
   Servo servo_;
   Effector effector_;
   OperatorMotion operator_motion_;

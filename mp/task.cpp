@@ -235,6 +235,7 @@ void serve(process::Process& process, const TaskFactory& factory) {
   } catch (const std::exception& error) {
     task->report_failure(error);
   }
+  process.clock().end_task();
   // the operator ends the deployment when it has seen the result
   while (process.clock().wait(kNever) != clock::Wake::interrupted) {
   }

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <optional>
 #include <string>
 
@@ -10,7 +11,9 @@
 #include "mrroc/stopped.hpp"
 #include "process/process.hpp"
 #include "process/standard_files.hpp"
+#include "sim/errors/truth_text.hpp"
 #include "sim/motion_file.hpp"
+#include "sim/removed_material.hpp"
 #include "sim/simulation.hpp"
 #include "sim/state_file.hpp"
 #include "world/mapped_world.hpp"
@@ -28,9 +31,13 @@ class Records {
  public:
   Records(mrroc::process::Process& process, const mrroc::sim::Simulation& simulation,
           const mrroc::world::WorldMemory& memory)
-      : process_(process), simulation_(simulation), snapshots_(process.arguments().snapshots) {
+      : process_(process),
+        simulation_(simulation),
+        snapshots_(process.arguments().snapshots),
+        removed_(process.arguments().snapshots) {
     if (const auto& arguments = process.arguments(); arguments.motion_fd >= 0)
       motion_.emplace(arguments.motion_fd, arguments.motion, process.deployment(), memory);
+    if (!snapshots_.empty() && process.deployment().sim->errors) write_truth();
   }
   ~Records() {
     if (!motion_) return;
@@ -41,10 +48,12 @@ class Records {
 
   void write(Tick tick) {
     if (motion_) motion_->write(tick);
-    if (snapshots_.empty() || tick % kSnapshotTicks != 0) return;
+    if (snapshots_.empty()) return;
     std::string name = std::to_string(tick);
     name.insert(0, 8 - std::min<std::size_t>(8, name.size()), '0');
     try {
+      removed_.write(simulation_.world(), tick);
+      if (tick % kSnapshotTicks != 0) return;
       mrroc::sim::save_state(snapshots_ / (name + ".state"), simulation_.state());
     } catch (const mrroc::SystemError& error) {
       process_.fail_at_end(error.what());
@@ -53,9 +62,18 @@ class Records {
   }
 
  private:
+  void write_truth() {
+    const std::filesystem::path file = snapshots_ / "errors.toml";
+    std::ofstream out(file);
+    out << mrroc::sim::truth_text(process_.deployment(), simulation_.world().model());
+    out.close();
+    if (!out) process_.fail_at_end("cannot write " + file.string());
+  }
+
   mrroc::process::Process& process_;
   const mrroc::sim::Simulation& simulation_;
   std::filesystem::path snapshots_;
+  mrroc::sim::RemovedMaterial removed_;
   std::optional<mrroc::sim::MotionFile> motion_;
 };
 

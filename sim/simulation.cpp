@@ -8,6 +8,7 @@
 #include "config/robot_parameters_file.hpp"
 #include "config/table.hpp"
 #include "config/text/message_text.hpp"
+#include "sim/errors/true_errors.hpp"
 
 namespace mrroc::sim {
 
@@ -69,6 +70,9 @@ std::vector<RobotPart> parts_of(const config::Deployment& deployment, bool (*sho
           return in_world(sensor) && sensor.type == "force_torque" && sensor.robot == robot.name;
         });
     parts.push_back({robot.name, robot.files().mjcf, robot.base, force_torque, robot.mount});
+    if (!deployment.sim || !deployment.sim->errors) continue;
+    parts.back().base = robot.base * error_of_base(*deployment.sim->errors, robot.name);
+    parts.back().errors = deployment.sim->errors;
   }
   return parts;
 }
@@ -93,8 +97,9 @@ Simulation::Simulation(const config::Deployment& deployment, world::WorldMemory&
     const RobotParameters parameters = config::read_robot_parameters(config::Table::load(robot.files().parameters));
     std::vector<std::string> joints;
     for (const AxisParameters& axis : parameters.axes) joints.push_back(axis.name);
-    robots_.push_back(
-        {.memory = i, .world = world_.attach(robot.name, joints, parameters.home), .on_bus = robot.driver.simulated});
+    robots_.push_back({.memory = i, .world = world_.attach(robot.name, joints, parameters.home)});
+    if (const auto& errors = deployment.sim->errors)
+      robots_.back().transmission.emplace(*errors, robot.name, parameters);
     if (measures_flange(deployment, robot)) flanges_.push_back({i, FlangeSensor(world_.model(), robot.name)});
   }
   for (std::size_t j = 0; j < deployment.sensors.size(); ++j) {
@@ -106,10 +111,15 @@ Simulation::Simulation(const config::Deployment& deployment, world::WorldMemory&
       continue;
     }
     sensors_.push_back({j, SensorSource(world_.model(), sensor.name, sensor.type, sensor.robot)});
+    if (const auto& errors = deployment.sim->errors)
+      sensors_.back().errors.emplace(*errors, sensor, deployment.servo_period);
   }
   for (const config::FeederEntry& feeder : deployment.sim->feeders) {
     feeders_.emplace_back(feeder, world_, deployment.servo_period);
   }
+  if (const auto& errors = deployment.sim->errors; errors && looked_at_)
+    if (const std::size_t latency = latency_of_cameras(*errors, deployment.servo_period); latency > 0)
+      delayed_.emplace(latency);
   may_be_watched_ = snapshot_values(world_.model()) <= world::kMaxSnapshotValues;
   world_.start();
 }
@@ -120,12 +130,6 @@ void Simulation::publish_initial() {
 }
 
 void Simulation::step(Tick tick) {
-  for (Slot& slot : robots_)
-    if (slot.on_bus) await_bus(slot, tick);
-  advance(tick);
-}
-
-void Simulation::advance(Tick tick) {
   for (Feeder& feeder : feeders_) feeder.feed(world_, tick - 1);
   for (Slot& slot : robots_) take_drive(slot, tick);
   world_.step(tick);
@@ -139,7 +143,7 @@ void Simulation::step_in_real_time(Tick tick, double patience) {
     for (Slot& slot : robots_)
       if (is_due(slot, tick)) slot.given_up = slot.drive.tick;
   }
-  advance(tick);
+  step(tick);
   memory_.measured.open();
 }
 
@@ -159,20 +163,18 @@ bool Simulation::driven() const noexcept {
   return std::any_of(robots_.begin(), robots_.end(), [this](const Slot& slot) { return drives(slot, tick_); });
 }
 
-/// Lockstep: the EDP's tick is over when its frames are on the bus; the drives' reaction comes a moment later.
-void Simulation::await_bus(Slot& slot, Tick tick) {
-  const auto there = [&] { return memory_.drives[slot.memory].load(slot.drive) && slot.drive.tick + 1 >= tick; };
-  if (there() || slot.drive.tick == slot.given_up) return;
-  if (!memory_.driven.wait(there, std::llround(world::kPatienceWithDrives * 1e9))) slot.given_up = slot.drive.tick;
-}
-
 void Simulation::take_drive(Slot& slot, Tick tick) {
   memory_.drives[slot.memory].load(slot.drive);
   if (slot.drive.tick > 0) world_.set_outputs(slot.world, slot.drive.outputs);
-  if (drives(slot, tick)) {
-    world_.drive(slot.world, slot.drive, tick);
-  } else {
+  if (!drives(slot, tick)) {
     world_.brake(slot.world);
+  } else if (slot.transmission) {
+    world::JointDrive drive = slot.drive;
+    slot.transmission->act(drive, tick);
+    world_.drive(slot.world, drive, tick);
+    world_.set_friction(slot.world, slot.transmission->friction(drive));
+  } else {
+    world_.drive(slot.world, slot.drive, tick);
   }
 }
 
@@ -182,6 +184,7 @@ void Simulation::publish(Tick tick) {
     RawReading reading{};
     reading.tick = tick;
     slot.source.read(world_.data(), reading);
+    if (slot.errors) slot.errors->apply(reading);
     memory_.readings[slot.memory].store(reading);
   }
   if (looked_at_ || (may_be_watched_ && memory_.watched.load(std::memory_order_relaxed) != 0)) store_snapshot(tick);
@@ -192,10 +195,11 @@ void Simulation::publish(Tick tick) {
     memory_.flanges[slot.memory].store(measurement);
   }
   // last: a servo that sees them also reads its force sensor
-  for (const Slot& slot : robots_) {
+  for (Slot& slot : robots_) {
     world::JointMeasurement measurement{};
     measurement.tick = tick;
     world_.measure(slot.world, measurement);
+    if (slot.transmission) slot.transmission->report(measurement);
     memory_.measurements[slot.memory].store(measurement);
   }
 }
@@ -210,6 +214,9 @@ void Simulation::store_snapshot(Tick tick) noexcept {
   values = std::copy_n(data.mocap_pos, 3 * model.nmocap, values);
   std::copy_n(data.mocap_quat, 4 * model.nmocap, values);
   memory_.snapshot.store(snapshot_);
+  if (!delayed_) return;
+  delayed_->put(snapshot_);
+  memory_.seen.store(snapshot_);
 }
 
 WorldState Simulation::state() const {

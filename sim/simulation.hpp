@@ -1,8 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "config/deployment.hpp"
+#include "sim/errors/delayed_snapshots.hpp"
+#include "sim/errors/faulty_readings.hpp"
+#include "sim/errors/faulty_transmission.hpp"
 #include "sim/feeder.hpp"
 #include "sim/flange_sensor.hpp"
 #include "sim/sensors.hpp"
@@ -12,7 +16,8 @@
 
 namespace mrroc::sim {
 
-/// The world of a deployment as text: its scene and every robot whose hardware is `mujoco`. Throws
+/// The world of a deployment as text: its scene and every robot whose hardware is `mujoco`, with the errors of
+/// [sim.errors]. Throws
 /// config::ConfigurationError.
 Composition compose(const config::Deployment& deployment);
 /// For a view of all robots, whatever their hardware; without [sim] in an empty world.
@@ -38,8 +43,8 @@ class Simulation {
   void publish_initial();
   /// Lets the feeders put their parts, reads the drives, advances the world from tick - 1 to `tick`, stores its
   /// measurements and readings. Brakes hold a robot that has no drive yet, a disabled one, or one older than
-  /// kDriveLifetime ticks: its EDP is gone. Drives on a bus are waited for, world::kPatienceWithDrives at most. Throws
-  /// SystemError (simulator), see World::step.
+  /// kDriveLifetime ticks: its EDP is gone. An EDP with drives on a bus ends its tick after they have acted
+  /// (`can::Fence`). Throws SystemError (simulator), see World::step.
   void step(Tick tick);
   /// Real time: `step`, but not before every robot's drive of tick - 1 has come, as in lockstep. A robot whose brakes
   /// are on is not waited for; one that keeps the world waiting for `patience` (s of wall time) is braked, and the
@@ -52,18 +57,20 @@ class Simulation {
   /// The state for pictures by `mrroc_render`; `save_state` writes it to a file.
   WorldState state() const;
   World& world() noexcept { return world_; }
+  const World& world() const noexcept { return world_; }
 
  private:
   struct Slot {
-    std::size_t memory;         ///< slot in world::WorldMemory
-    std::size_t world;          ///< index of the robot in the world
-    world::JointDrive drive{};  ///< the newest
-    Tick given_up = kNever;     ///< tick of the drive after which the next did not come in time
-    bool on_bus = false;        ///< its drives are a separate process, which the clock does not wait for
+    std::size_t memory;                                ///< slot in world::WorldMemory
+    std::size_t world;                                 ///< index of the robot in the world
+    world::JointDrive drive{};                         ///< the newest
+    Tick given_up = kNever;                            ///< tick of the drive after which the next did not come in time
+    std::optional<FaultyTransmission> transmission{};  ///< with [sim.errors]
   };
   struct SensorSlot {
     std::size_t memory;
     SensorSource source;
+    std::optional<FaultyReadings> errors{};  ///< with [sim.errors]
   };
   struct FlangeSlot {
     std::size_t memory;
@@ -71,8 +78,6 @@ class Simulation {
   };
   bool drives(const Slot& slot, Tick tick) const noexcept;
   bool is_due(Slot& slot, Tick tick) noexcept;
-  void advance(Tick tick);
-  void await_bus(Slot& slot, Tick tick);
   void take_drive(Slot& slot, Tick tick);
   void publish(Tick tick);
   void store_snapshot(Tick tick) noexcept;
@@ -83,9 +88,10 @@ class Simulation {
   std::vector<SensorSlot> sensors_;
   std::vector<FlangeSlot> flanges_;
   std::vector<Feeder> feeders_;
-  bool looked_at_ = false;           ///< some sensor uses the snapshot
-  bool may_be_watched_ = false;      ///< the world fits into one
-  world::WorldSnapshot snapshot_{};  ///< the last one stored
+  bool looked_at_ = false;                   ///< some sensor uses the snapshot
+  std::optional<DelayedSnapshots> delayed_;  ///< with cameras that are late
+  bool may_be_watched_ = false;              ///< the world fits into one
+  world::WorldSnapshot snapshot_{};          ///< the last one stored
   Tick tick_ = 0;
 };
 

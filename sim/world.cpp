@@ -24,7 +24,8 @@ World::World(const Composition& composition, double period, double timestep)
     : model_(load_model(composition)),
       data_(nullptr),
       substeps_(static_cast<int>(std::lround(period / timestep))),
-      weld_torques_(*model_) {
+      weld_torques_(*model_),
+      milling_(Milling::find(*model_, composition.scene)) {
   if (model_->opt.integrator != mjINT_EULER) {
     throw config::ConfigurationError(composition.scene, 0, "option.integrator",
                                      "is not Euler, in which the drives are integrated", "integrator=\"Euler\"");
@@ -81,6 +82,10 @@ void World::brake(std::size_t index) {
   mj_fwdVelocity(model_.get(), data_.get());  // its velocities have just become zero
 }
 
+void World::set_friction(std::size_t index, const std::array<double, kMaxJoints>& friction) noexcept {
+  robots_.at(index).set_friction(*model_, friction);
+}
+
 void World::evaluate_motion() {
   mj_checkPos(model_.get(), data_.get());
   mj_checkVel(model_.get(), data_.get());
@@ -110,6 +115,7 @@ void World::step(Tick tick) {
   try {
     for (int i = 0; i < substeps_; ++i) {
       const double time_before = data_->time;
+      if (milling_) milling_->step(*model_, *data_, model_->opt.timestep);
       evaluate_forces();
       for (const DrivenJoints& robot : robots_) robot.add_damping(*data_, model_->opt.timestep);
       mj_Euler(model_.get(), data_.get());

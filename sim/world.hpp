@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "sim/milling.hpp"
 #include "sim/scene/controller_wiring.hpp"
 #include "sim/scene/driven_joints.hpp"
 #include "sim/scene/free_body.hpp"
@@ -45,6 +47,8 @@ class World {
   /// joints of different branches.
   void drive(std::size_t index, const world::JointDrive& drive, Tick tick);
   void brake(std::size_t index);
+  /// Sets the Coulomb friction of robot `index`'s joints, N m or N, until its brakes engage.
+  void set_friction(std::size_t index, const std::array<double, kMaxJoints>& friction) noexcept;
   /// Advances from tick - 1 to `tick`. Throws SystemError (simulator) with the tick and the cause: MuJoCo met a
   /// bad position, velocity, acceleration or control (and has reset the world), its contact or constraint buffers are
   /// full, an inertia is singular, or time did not advance. The world is of no use afterwards.
@@ -58,6 +62,8 @@ class World {
   /// Joints and inputs.
   void measure(std::size_t index, world::JointMeasurement& measurement) const noexcept;
   const mjModel& model() const noexcept { return *model_; }
+  /// The cutter of the scene, if it has one.
+  const std::optional<Milling>& milling() const noexcept { return milling_; }
   const mjData& data() const noexcept { return *data_; }
   /// For tests and scripts that act on the world itself: controls, poses of objects.
   mjData& data() noexcept { return *data_; }
@@ -74,6 +80,7 @@ class World {
   Data data_;
   int substeps_;
   WeldTorques weld_torques_;
+  std::optional<Milling> milling_;
   std::vector<DrivenJoints> robots_;
   std::vector<ControllerWiring> terminals_;
   std::vector<FreeBody> held_;

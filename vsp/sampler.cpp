@@ -40,12 +40,13 @@ void Sampler::on_request(const Caller& caller, const SensorRequest& request, Tic
   if (pending_.size() == kMaxPending) {
     SensorReading refused;
     refused.tick = now;
+    refused.configuration = configuration_;
     refused.channel_count = static_cast<std::uint32_t>(channels_.size());
     report(refused, ErrorClass::non_fatal, ErrorCode::busy, "%zu requests are waiting for their ticks", kMaxPending);
     sink.reply(caller, refused);
     return;
   }
-  const Pending pending{std::max(request.measure_at, now), caller, request.kind};
+  const Pending pending{std::max(request.measure_at, now), caller, request.kind, request.configuration};
   const auto later = [](const Pending& a, const Pending& b) { return a.due < b.due; };
   pending_.insert(std::upper_bound(pending_.begin(), pending_.end(), pending, later), pending);
 }
@@ -126,6 +127,10 @@ void Sampler::answer_due(Tick now, ReadingSink& sink) {
   while (answer_is_due(now)) {
     const Pending pending = pending_.front();
     pending_.erase(pending_.begin());  // before the reply: a sink that throws must not get it twice
+    if (pending.kind == SensorRequestKind::configure) {
+      sink.reply(pending.caller, answer_to(pending.configuration));
+      continue;
+    }
     const bool bias = pending.kind == SensorRequestKind::bias;
     if (bias) fresh_ = false;
     const bool bias_refused = bias && raw_usable() && !sensor_->bias(raw_);
@@ -138,10 +143,30 @@ void Sampler::answer_due(Tick now, ReadingSink& sink) {
   }
 }
 
+/// The configuration taken, or the reason why not.
+SensorReading Sampler::answer_to(const Message& configuration) noexcept {
+  SensorReading answer;
+  answer.tick = raw_.tick;
+  try {
+    sensor_->reconfigure(configuration);
+    ++configuration_;
+    fresh_ = false;
+  } catch (const Error& error) {
+    const bool of_system = error.error_class() == ErrorClass::system;  // as at the start: a refusal here
+    report(answer, of_system ? ErrorClass::non_fatal : error.error_class(),
+           of_system ? ErrorCode::invalid_argument : error.code(), "%s", error.detail().c_str());
+  } catch (const std::exception& error) {
+    report(answer, ErrorClass::non_fatal, ErrorCode::invalid_argument, "%s", error.what());
+  }
+  answer.configuration = configuration_;
+  return answer;
+}
+
 void Sampler::aggregate() noexcept {
   if (fresh_) return;
   fresh_ = true;
   ++reading_.sequence;
+  reading_.configuration = configuration_;
   reading_.tick = raw_.tick;
   reading_.channel_count = static_cast<std::uint32_t>(channels_.size());
   reading_.values.fill(std::numeric_limits<double>::quiet_NaN());

@@ -29,10 +29,10 @@ class ReadingSink {
 /// ticks, then of arrival. *Non-interactive*: a reading is published at every whole multiple of the publication period.
 /// A reader keeps the last published reading in its own buffer, so only interactive callers wait for an aggregation.
 ///
-/// All answers and the publication of one `on_tick` have the same reading (a bias makes a new one). A reading without
-/// an error is complete and finite; a raw reading that is incomplete or not finite, or a silent source, is
-/// HardwareError(sensor_hardware). A reading that has not come yet is NonFatalError(sensor_not_ready); so is a missing
-/// e_l that the sensor needs.
+/// All answers and the publication of one `on_tick` have the same reading (a bias makes a new one, and the readings
+/// after a configuration are made with it). A reading without an error is complete and finite; a raw reading that is
+/// incomplete or not finite, or a silent source, is HardwareError(sensor_hardware). A reading that has not come yet is
+/// NonFatalError(sensor_not_ready); so is a missing e_l that the sensor needs.
 ///
 /// The shell's loop, on the VSP's thread:
 ///
@@ -42,7 +42,7 @@ class ReadingSink {
 ///       sampler.on_tick(clock.tick(), sink);
 ///     }
 ///
-/// Allocates nothing after construction; throws only exceptions of the sink.
+/// Allocates nothing after construction but for a configuration; throws only exceptions of the sink.
 class Sampler {
  public:
   /// Requests that can wait at the same time; one more is answered at once with NonFatalError(busy).
@@ -77,6 +77,7 @@ class Sampler {
     Tick due = 0;
     Caller caller;
     SensorRequestKind kind = SensorRequestKind::reading;
+    Message configuration;
   };
 
   bool answer_is_due(Tick now) const noexcept { return !pending_.empty() && pending_.front().due <= now; }
@@ -87,6 +88,7 @@ class Sampler {
   void read_source(Tick now) noexcept;
   void check_raw(SourceState state, Tick now) noexcept;
   void answer_due(Tick now, ReadingSink& sink);
+  SensorReading answer_to(const Message& configuration) noexcept;
   void aggregate() noexcept;
   void schedule_publication(Tick now) noexcept;
 
@@ -102,7 +104,8 @@ class Sampler {
   RawReading raw_;
   SensorReading raw_fault_;  ///< in error when `raw_` is invalid
   SensorReading reading_;
-  bool fresh_ = false;  ///< `reading_` is of the `on_tick` under way
+  std::uint32_t configuration_ = 0;  ///< configurations taken
+  bool fresh_ = false;               ///< `reading_` is of the `on_tick` under way
   RawWatch watch_;
   bool follows_;
   EffectorStates effector_;

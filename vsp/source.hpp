@@ -14,8 +14,8 @@ enum class SourceState {
   faulty      ///< the hardware answers, but reports that its measurements are invalid: `fault()`
 };
 
-/// The source of raw data r: simulated hardware, a played file, a driver. The VSP's thread; never waits for a
-/// measurement, allocates nothing, never throws.
+/// The source of raw data r: simulated hardware, a played file, a driver. The VSP's thread; allocates nothing, never
+/// throws. In real time it never waits for a measurement; in lockstep a stand-in is awaited for that of the tick.
 class Source {
  public:
   virtual ~Source() = default;

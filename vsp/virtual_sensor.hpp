@@ -41,11 +41,13 @@ struct SourceContext {
 ///
 ///   r          `RawReading`, from a `Source`
 ///   e_l        state of the robot that the sensor is mounted on: `effector_state()`
-///   c_0, c_l   settings of the control subsystems: `configure()` from the deployment, `bias()` at run time
+///   c_0, c_l   settings of the control subsystems: `configure()` from the deployment, `bias()` and `reconfigure()` at
+///              run time
 ///   v          values of `channels()`
 ///
 /// A sensor type derives from this class; the VSP's shell does all else (`Sampler`). It needs no lock: the VSP's thread
-/// makes every call. After `configure()` nothing here allocates, waits or reads a clock; noise comes from `Noise`.
+/// makes every call. After `configure()` nothing here but `reconfigure()` allocates, waits or reads a clock; noise
+/// comes from `Noise`.
 class VirtualSensor {
  public:
   virtual ~VirtualSensor() = default;
@@ -89,6 +91,14 @@ class VirtualSensor {
   /// Defines the values of `r` as zero from now on. When `r` has no valid values (out of range) the zero stays and
   /// `aggregate` of the same r reports why. False: this type has no zero to set.
   virtual bool bias(const RawReading& /*r*/) noexcept { return false; }
+
+  /// Takes a running task's configuration (`Sensor::configure`); the next `track`, `bias` or `aggregate` works with it.
+  /// Throws NonFatalError with the reason when it is not possible, and has changed nothing then. May allocate.
+  virtual void reconfigure(const Message& configuration) {
+    throw NonFatalError(ErrorCode::invalid_argument, std::string("configuration '")
+                                                         .append(configuration.label.view())
+                                                         .append("', expected none: this type of sensor takes none"));
+  }
 
  private:
   std::vector<Channel> channels_, raw_channels_;

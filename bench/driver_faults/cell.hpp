@@ -1,15 +1,11 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
-#include <optional>
 
-#include "drivers/netft/netft_source.hpp"
-#include "drivers/ur/controller.hpp"
+#include "driver_faults/device.hpp"
 #include "edp/command/effector.hpp"
-#include "edp/servo/robot_ticker.hpp"
 #include "edp/servo/servo.hpp"
-#include "links/test_clock.hpp"
-#include "sim/netft/netft_server.hpp"
 
 namespace mrroc::driver_faults {
 
@@ -20,12 +16,10 @@ struct Worst {
   double speed = 0;             ///< of the arm
 };
 
-/// An EDP's servo with the drivers `ur` and `netft`, connected to a simulated UR controller and a simulated Net F/T,
-/// both in this process, over loopback, on the wall clock.
+/// An EDP's servo with a device.
 class Cell {
  public:
-  Cell();
-  ~Cell();
+  explicit Cell(std::unique_ptr<Device> device);
 
   void tick();
   void ticks(int count);
@@ -38,29 +32,24 @@ class Cell {
   bool answered() const { return reply_.command == number_; }
   /// Of the last motion, once it is answered.
   ErrorCode answer() const { return reply_.state.error.code; }
-  ErrorCode fault() const { return servo_->snapshot().fault.code; }
+  ErrorCode fault() const { return servo_.snapshot().fault.code; }
   Tick now() const { return now_; }
   /// The last tick in which the arm moved.
   Tick moved() const { return moved_; }
 
-  ur::Controller controller;
-  sim::NetftServer sensor;
+  Device& device() { return *device_; }
+
   Worst worst;
 
  private:
-  class Wrist;
   void judge(double elapsed);
   void send(const RobotCommand& command);
 
-  ur::SixJoints model_;
-  links::TestClock clock_;
-  std::unique_ptr<ur::UrHardware> hardware_;
-  std::unique_ptr<Wrist> wrist_;
+  std::unique_ptr<Device> device_;
   edp::ServoChannel channel_;
   edp::ModelSet models_;
-  std::unique_ptr<edp::Servo> servo_;
-  std::unique_ptr<edp::Effector> effector_;
-  std::optional<edp::RobotTicker> ticker_;
+  edp::Servo servo_;
+  edp::Effector effector_;
   edp::Reply reply_;
   std::uint64_t number_ = 0;
   Tick now_ = 0, moved_ = 0;

@@ -1,6 +1,6 @@
-// driver_faults SEEDS [NAME]: troubles of a simulated UR controller, of a Net F/T and of the network to them, each in
-// SEEDS motions at a random tick; a line of a table for each (those whose names begin with NAME). Exit code 1 when a
-// limit was exceeded, an arm did not stop, or it could not be moved again.
+// driver_faults SEEDS [NAME]: troubles of a simulated UR controller, of a Net F/T, of the network to them, and of an
+// I/O node on a CAN bus, each in SEEDS motions at a random tick; a line of a table for each (those whose names begin
+// with NAME). Exit code 1 when a limit was exceeded, an arm did not stop, or it could not be moved again.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -8,6 +8,7 @@
 #include <random>
 #include <string_view>
 
+#include "driver_faults/cell.hpp"
 #include "driver_faults/troubles.hpp"
 
 namespace {
@@ -30,13 +31,13 @@ struct Row {
 
 void run(const Trouble& trouble, unsigned seed, Row& row) {
   std::mt19937 random(seed);
-  Cell cell;
+  Cell cell(trouble.make());
   bool good = cell.recover();
   cell.worst = {};
   cell.start_move(seed % 2 == 0 ? kWay : -kWay);
   cell.ticks(60 + static_cast<int>(random() % 280));
   const Tick begun = cell.now();
-  trouble.begin(cell);
+  trouble.begin(cell.device());
   cell.ticks(20 + static_cast<int>(random() % 130));
   good = cell.settle() && good;
   const ErrorCode error = cell.fault() != ErrorCode::none ? cell.fault() : cell.answer();
@@ -46,7 +47,7 @@ void run(const Trouble& trouble, unsigned seed, Row& row) {
     ++row.stops[std::string(describe(error))];
     row.latency.push_back(std::max(cell.moved(), begun) - begun);
   }
-  trouble.end(cell);
+  trouble.end(cell.device());
   cell.ticks(100);
   if (cell.fault() != ErrorCode::none) good = cell.recover() && good;
   cell.start_move(0.2 * kWay);

@@ -1,6 +1,10 @@
 #include "driver_faults/troubles.hpp"
 
 #include <thread>
+#include <utility>
+
+#include "driver_faults/bus_device.hpp"
+#include "driver_faults/ur_device.hpp"
 
 namespace mrroc::driver_faults {
 
@@ -8,23 +12,39 @@ namespace {
 
 using sim::ur::VirtualController;
 
-void nothing(Cell&) {}
+template <class Kind>
+Trouble trouble(
+    const std::string& name, std::function<void(Kind&)> begin, std::function<void(Kind&)> end = [](Kind&) {}) {
+  return {name, [] { return std::make_unique<Kind>(); },
+          [begin = std::move(begin)](Device& device) { begin(static_cast<Kind&>(device)); },
+          [end = std::move(end)](Device& device) { end(static_cast<Kind&>(device)); }};
+}
 
 Trouble of_packages(
     const std::string& name, std::function<void(sim::ur::ControllerServers&)> begin,
     std::function<void(sim::ur::ControllerServers&)> end = [](sim::ur::ControllerServers&) {}) {
-  return {name, [begin = std::move(begin)](Cell& cell) { begin(cell.controller.servers); },
-          [end = std::move(end)](Cell& cell) { end(cell.controller.servers); }};
+  return trouble<UrDevice>(
+      name, [begin = std::move(begin)](UrDevice& device) { begin(device.controller.servers); },
+      [end = std::move(end)](UrDevice& device) { end(device.controller.servers); });
 }
 
 Trouble of_the_sensor(const std::string& name, const sim::NetftFaults& faults) {
-  return {name, [faults](Cell& cell) { cell.sensor.set_faults(faults); },
-          [](Cell& cell) { cell.sensor.set_faults({}); }};
+  return trouble<UrDevice>(
+      name, [faults](UrDevice& device) { device.sensor.set_faults(faults); },
+      [](UrDevice& device) { device.sensor.set_faults({}); });
+}
+
+Trouble of_an_io_node(
+    const std::string& name, std::function<void(sim::IoNode&)> begin,
+    std::function<void(sim::IoNode&)> end = [](sim::IoNode&) {}) {
+  return trouble<BusDevice>(
+      name, [begin = std::move(begin)](BusDevice& device) { device.with_node(begin); },
+      [end = std::move(end)](BusDevice& device) { device.with_node(end); });
 }
 
 /// A second driver connects to the same controller, and is refused its registers.
-void open_second_master(Cell& cell) {
-  const ur::UrOptions options = cell.controller.driver_options();
+void open_second_master(UrDevice& device) {
+  const ur::UrOptions options = device.controller.driver_options();
   std::thread([options] {
     ur::SixJoints model(ur::Interface::position);
     ur::UrOptions own = options;
@@ -68,14 +88,17 @@ const std::vector<Trouble>& troubles() {
       of_packages(
           "emergency stop", [](Servers& s) { s.with([](VirtualController& c) { c.emergency_stop(true); }); },
           [](Servers& s) { s.with([](VirtualController& c) { c.emergency_stop(false); }); }),
-      {"a second master", open_second_master, nothing},
+      trouble<UrDevice>("a second master", open_second_master),
       of_the_sensor("force sensor unplugged", unplugged()),
-      {"force sensor restarts", [](Cell& cell) { cell.sensor.restart(); }, nothing},
+      trouble<UrDevice>("force sensor restarts", [](UrDevice& device) { device.sensor.restart(); }),
       of_the_sensor("20 % of the sensor's packets lost", {.loss = 0.2}),
       of_the_sensor("sensor's packets doubled", {.doubled = 0.5}),
       of_the_sensor("sensor's packets overtaken", {.reordered = 0.5}),
       of_the_sensor("garbage from the sensor", {.garbage = 0.5}),
       of_the_sensor("sensor's status word bad", {.status = 0x80000000}),
+      of_an_io_node(
+          "I/O node gone", [](sim::IoNode& node) { node.cut(true); }, [](sim::IoNode& node) { node.cut(false); }),
+      of_an_io_node("I/O node restarts", [](sim::IoNode& node) { node.boot(0); }),
   };
   return all;
 }

@@ -41,21 +41,33 @@ CanFrameFormatter::CanFrameFormatter(config::DriveTable table)
   for (const config::DriveEntry& entry : table_->drives) drives_.emplace(entry.node, Named{entry, table_->mode});
 }
 
+void CanFrameFormatter::add(const config::IoTable& io) {
+  for (const config::IoEntry& entry : io.nodes) io_.emplace(entry.node, IoFrameText{entry});
+}
+
 std::string CanFrameFormatter::whose(unsigned node) const {
   if (const auto found = drives_.find(node); found != drives_.end()) return found->second.entry.axis;
+  if (const auto found = io_.find(node); found != io_.end()) return found->second.name();
   if (table_ && node == table_->master) return "master";
   return "node " + std::to_string(node);
 }
 
 std::string CanFrameFormatter::line(const can::Frame& frame) {
-  if (frame.error || frame.remote || frame.fd || !table_) return to_text(frame);
+  if (frame.error || frame.remote || frame.fd || (!table_ && io_.empty())) return to_text(frame);
   const unsigned node = frame.id & kNode;
   const std::uint32_t function = frame.id & kFunction;
   if (const auto found = drives_.find(node); found != drives_.end())
     if (const auto words = process_data(frame, found->second)) return found->second.entry.axis + " " + *words;
+  const auto io = io_.find(node);
+  if (io != io_.end())
+    if (const auto words = io->second.process_data(frame)) return io->second.name() + " " + *words;
   std::string text = to_text(frame);
-  if ((function == kSdoRequest || function == kSdoResponse) && frame.size == can::kMaxClassicalData)
-    name_object(text, frame, table_->eds);
+  if ((function == kSdoRequest || function == kSdoResponse) && frame.size == can::kMaxClassicalData) {
+    if (io != io_.end())
+      name_object(text, frame, io->second.eds());
+    else if (table_)
+      name_object(text, frame, table_->eds);
+  }
   const bool to_one = frame.id == kNmt && frame.size == 2 && frame.data[1] != 0;
   const unsigned meant = to_one ? frame.data[1] : node;
   const std::string number = "node " + std::to_string(meant);
@@ -109,7 +121,7 @@ std::string CanFrameFormatter::command(const can::Frame& frame, Named& drive) co
 
 std::string CanFrameFormatter::kind(std::uint32_t id) const {
   if (id == kNmt) return "NMT";
-  if (id == kSync) return "SYNC";
+  if (id == kSync || (table_ && id == table_->sync)) return "SYNC";
   if (id == kTime) return "TIME";
   const unsigned node = id & kNode;
   const std::uint32_t function = id & kFunction;

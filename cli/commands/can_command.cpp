@@ -17,6 +17,7 @@
 #include "command/number_option.hpp"
 #include "command/print.hpp"
 #include "command/printable.hpp"
+#include "config/drives/io_table.hpp"
 #include "config/robot_files.hpp"
 #include "config/robot_parameters_file.hpp"
 
@@ -74,7 +75,7 @@ int scan_interface(const std::string& interface, double patience) {
 struct MonitorArguments {
   std::string interface;
   std::string robot;
-  std::filesystem::path drives;
+  std::filesystem::path drives, io;
   MonitorOptions options;
 };
 
@@ -87,8 +88,10 @@ config::DriveTable drives_of(const std::string& type, std::filesystem::path file
 }
 
 void monitor_interface(const MonitorArguments& arguments) {
-  CanFrameFormatter words =
-      arguments.robot.empty() ? CanFrameFormatter() : CanFrameFormatter(drives_of(arguments.robot, arguments.drives));
+  const config::DriveTable drives =
+      arguments.robot.empty() ? config::DriveTable{} : drives_of(arguments.robot, arguments.drives);
+  CanFrameFormatter words = arguments.robot.empty() ? CanFrameFormatter() : CanFrameFormatter(drives);
+  if (!arguments.io.empty()) words.add(config::read_io_table(arguments.io, drives));
   const auto bus = can::open_bus(arguments.interface);
   Interruption interruption;
   bool interrupted = false;
@@ -123,6 +126,7 @@ void add_monitor(CLI::App& can, int& exit_code) {
   CLI::Option* robot = command->add_option("--robot", arguments->robot, "Robot type: its drives are called by axis");
   command->add_option("--drives", arguments->drives, "Table of the robot's drives (TOML), not the type's own")
       ->needs(robot);
+  command->add_option("--io", arguments->io, "Table of I/O nodes (TOML): their inputs and outputs are shown");
   command::add_number<std::uint64_t>(*command, "--count", options.count, 1, std::numeric_limits<std::uint64_t>::max(),
                                      "End after so many frames");
   command::add_number(*command, "--seconds", options.seconds, 0.001, 1e9, "End after so long");

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "cli/commands/agent_command.hpp"
+#include "cli/commands/calibrate_command.hpp"
 #include "cli/commands/can_command.hpp"
 #include "cli/commands/graph_command.hpp"
 #include "cli/commands/keys_command.hpp"
@@ -29,6 +30,7 @@ void describe_command(CLI::App& app, int& exit_code) {
   add_agent_command(app, exit_code);
   add_can_command(app, exit_code);
   add_robot_command(app, exit_code);
+  add_calibrate_command(app, exit_code);
 }
 
 void describe_command(CLI::App& app) {

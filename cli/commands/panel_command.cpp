@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cli/commands/become_program.hpp"
-#include "cli/run/panel_process.hpp"
+#include "cli/run/panel_options.hpp"
 #include "command/number_option.hpp"
 
 namespace mrroc::cli {

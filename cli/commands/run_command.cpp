@@ -3,15 +3,18 @@
 #include <cstdint>
 #include <limits>
 
+#include "cli/commands/errors_option.hpp"
 #include "cli/processes/ask_programs.hpp"
 #include "cli/run/runner.hpp"
 #include "command/number_option.hpp"
 #include "command/print.hpp"
+#include "config/clock_names.hpp"
 #include "config/description.hpp"
 #include "config/entries/driver_entry.hpp"
 #include "config/entries/events.hpp"
 #include "config/state_machine.hpp"
 #include "config/table.hpp"
+#include "config/text/calibration_text.hpp"
 #include "config/text/deployment_text.hpp"
 
 namespace mrroc::cli {
@@ -22,14 +25,11 @@ struct RunArguments {
   std::filesystem::path file;
   std::string clock;
   std::filesystem::path events;
+  std::optional<std::string> errors;  ///< set for [sim.errors]; none: the deployment's
+  std::optional<std::uint32_t> seed;
   RunOptions options;
   bool check = false;
 };
-
-config::ClockMode clock_mode(const std::string& name) {
-  if (name == "real") return config::ClockMode::real;
-  return name == "paced" ? config::ClockMode::paced : config::ClockMode::lockstep;
-}
 
 /// Rejects options that a deployment on several machines does not support.
 void check_hosts(const config::Deployment& deployment, const RunArguments& arguments,
@@ -42,6 +42,10 @@ void check_hosts(const config::Deployment& deployment, const RunArguments& argum
   if (deployment.clock != config::ClockMode::real)
     throw config::ConfigurationError(deployment.file, 0, "--clock " + arguments.clock,
                                      "host '" + used.front()->name + "' is another machine", "--clock real");
+  if (!arguments.options.recording.empty())
+    throw config::ConfigurationError(deployment.file, 0, "--record",
+                                     "host '" + used.front()->name + "' is another machine",
+                                     "processes on this machine, or --trace");
   if (!arguments.options.snapshots.empty() && deployment.sim && !deployment.sim->host.empty())
     throw config::ConfigurationError(deployment.file, 0, "--snapshots",
                                      "the simulator runs on host '" + deployment.sim->host + "'",
@@ -61,13 +65,17 @@ void check_drivers(const config::Deployment& deployment, const RunArguments& arg
 }
 
 int run(const RunArguments& arguments) {
-  const config::DeploymentText source = config::read_deployment_text(arguments.file);
-  // messages name a file as the command line does
-  config::Deployment deployment = config::load_deployment(source.is_file ? arguments.file : source.file, source.text);
+  config::DeploymentText source = config::read_deployment_text(arguments.file);
+  const std::filesystem::path file = source.is_file ? arguments.file : source.file;  // as the command line names it
+  config::Deployment deployment = config::load_deployment(file, source.text);
+  if (arguments.errors) {
+    source.text += errors_table(file, deployment, *arguments.errors, arguments.seed.value_or(1));
+    deployment = config::load_deployment(file, source.text);
+  }
   RunOptions options = arguments.options;
-  options.text = source.text;
+  options.text = config::with_calibrations(file, source.text);  // read once: a calibration may be written meanwhile
   options.attended = !source.from_stdin;
-  if (!arguments.clock.empty()) deployment.clock = clock_mode(arguments.clock);
+  deployment.clock = config::clock_named(arguments.clock).value_or(deployment.clock);
   if (!arguments.events.empty()) deployment.events = config::load_events(arguments.events, deployment);
   check_hosts(deployment, arguments, source);
   check_drivers(deployment, arguments);
@@ -114,8 +122,22 @@ void add_run_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("run", "Start a deployment, show its progress, exit with the task's result");
   command->add_option("FILE", arguments->file, "Deployment file (TOML)")->required();
   command->add_option("--clock", arguments->clock, "Clock instead of the deployment's")
-      ->check(CLI::IsMember({"real", "paced", "lockstep"}));
+      ->check(CLI::IsMember(config::clock_names()));
   command->add_option("--trace", arguments->options.trace, "Write every step of every Move and Wait to this file");
+  command->add_option("--record", arguments->options.recording,
+                      "Record every step, state, reading and command to this MCAP file (docs/reference/recording.md)");
+  command
+      ->add_option_function<std::string>(
+          "--record-rate",
+          [arguments](const std::string& rate) { arguments->options.record_servo_ticks = rate == "servo"; },
+          "Record each step only, or each tick of each servo, too")
+      ->needs("--record")
+      ->check(CLI::IsMember({"step", "servo"}))
+      ->default_str("step");
+  command::add_number(*command, "--record-last", arguments->options.record_last, 1.0, 3600.0,
+                      "Keep the last seconds in memory, and write the file only when the run fails")
+      ->needs("--record")
+      ->type_name("SECONDS");
   arguments->options.black_box = "mrroc-black-box";
   command
       ->add_option("--black-box", arguments->options.black_box,
@@ -135,12 +157,20 @@ void add_run_command(CLI::App& app, int& exit_code) {
   command::add_number<std::uint64_t>(*command, "--shuffle-start", arguments->options.shuffle_seed, 0,
                                      std::numeric_limits<std::uint64_t>::max(),
                                      "Start the processes in a random order with random delays, from this seed");
+  CLI::Option* errors = command->add_option(
+      "--errors", arguments->errors,
+      "Errors of the simulated world: a set as 'modest', or a file with sizes (docs/reference/simulated-errors.md)");
+  command::add_number<std::uint32_t>(*command, "--seed", arguments->seed, 0, std::numeric_limits<std::uint32_t>::max(),
+                                     "Seed of these errors; 1 when left out")
+      ->needs(errors);
   command->add_flag("--hold", arguments->options.hold, "The task waits for the operator's 'start'");
   command->add_option("--events", arguments->events,
                       "Operator commands at given ticks, [[events]], instead of the deployment's");
   command->add_option("--note-events", arguments->options.note_events,
                       "Write the operator's commands, each with its tick, to this file for --events");
   add_panel_options(*command, *arguments);
+  command->add_flag("--ros2", arguments->options.ros2,
+                    "Show the run to ROS 2 as a node, as the deployment's table [ros2] does");
   command->add_flag("--quiet", arguments->options.quiet, "No progress and no report");
   command->add_flag("--check", arguments->check, "Validate the deployment and show its processes; start nothing");
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });

@@ -2,8 +2,16 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <cstdio>
+#include <functional>
+#include <utility>
+
+#include "cli/commands/plot_command.hpp"
 #include "cli/output/trace.hpp"
+#include "cli/record/recording_reader.hpp"
+#include "cli/record/recording_text.hpp"
 #include "cli/trace/check.hpp"
+#include "cli/trace/diff.hpp"
 #include "command/print.hpp"
 #include "process/exit_code.hpp"
 
@@ -17,12 +25,27 @@ std::string count_of(std::uint64_t number, const std::string& what) {
   return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
 }
 
+/// On stderr: what a program reads from the standard output stays what it is.
+void note_early_end(const std::filesystem::path& file) {
+  std::fputs(("mrroc: " + file.string() + ": note: ends early: the run was killed, or its disk was full\n").c_str(),
+             stderr);
+}
+
+/// The text of a recording's trace.
+std::string text_of_recording(const std::filesystem::path& file) {
+  record::TraceOfRecording trace = record::trace_of(file);
+  if (!trace.complete) note_early_end(file);
+  return std::move(trace.text);
+}
+
 int check(const std::filesystem::path& file, bool all) {
   std::uint64_t reported = 0;
-  const trace::Verdict verdict = trace::check_trace(file, [&](const std::string& violation) {
+  const std::function<void(const std::string&)> report = [&](const std::string& violation) {
     if (all || reported < kShown) command::print(violation + "\n");
     ++reported;
-  });
+  };
+  const trace::Verdict verdict = record::is_recording(file) ? trace::check_trace(file, text_of_recording(file), report)
+                                                            : trace::check_trace(file, report);
   for (const std::string& note : verdict.notes) command::print(note + "\n");
   const std::string looked_at =
       fmt::format("{}: {} of {} of {}", file.filename().string(), count_of(verdict.lines, "step"),
@@ -41,10 +64,59 @@ int check(const std::filesystem::path& file, bool all) {
 void add_hash(CLI::App& command, int& exit_code) {
   auto file = std::make_shared<std::filesystem::path>();
   CLI::App* hash = command.add_subcommand("hash", "Print the hash of a trace: equal traces, equal hashes");
-  hash->add_option("FILE", *file, "Trace file")->required();
+  hash->add_option("FILE", *file, "Trace file, or recording")->required();
   hash->callback([file, &exit_code] {
-    command::print(hash_trace(*file) + "\n");
+    command::print((record::is_recording(*file) ? hash_trace(*file, text_of_recording(*file)) : hash_trace(*file)) +
+                   "\n");
     exit_code = 0;
+  });
+}
+
+trace::Reader reader_of(const std::filesystem::path& file) {
+  return record::is_recording(file) ? trace::Reader(file, text_of_recording(file)) : trace::Reader(file);
+}
+
+int diff(const std::filesystem::path& first, const std::filesystem::path& second) {
+  trace::Reader one = reader_of(first), other = reader_of(second);
+  const trace::Comparison found = trace::compare(one, other);
+  if (!found.difference) {
+    command::print(fmt::format("equal: {}\n", count_of(found.steps, "step")));
+    return static_cast<int>(process::ExitCode::success);
+  }
+  const trace::Difference& difference = *found.difference;
+  command::print(fmt::format("{}{}{}: {} in {}, {} in {}; {} before are equal\n", difference.place,
+                             difference.field.empty() ? "" : ": ", difference.field, difference.first, first.string(),
+                             difference.second, second.string(), count_of(found.steps, "step")));
+  return static_cast<int>(process::ExitCode::task_failed);
+}
+
+void add_diff(CLI::App& command, int& exit_code) {
+  struct Arguments {
+    std::filesystem::path first, second;
+  };
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* diff_command = command.add_subcommand(
+      "diff", "Name the first difference of two runs: process, instruction, step, field, both values");
+  diff_command->add_option("FIRST", arguments->first, "Trace file, or recording")->required();
+  diff_command->add_option("SECOND", arguments->second, "Trace file, or recording")->required();
+  diff_command->callback([arguments, &exit_code] { exit_code = diff(arguments->first, arguments->second); });
+}
+
+void add_cat(CLI::App& command, int& exit_code) {
+  struct Arguments {
+    std::filesystem::path file;
+    bool trace = false;
+  };
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* cat = command.add_subcommand("cat", "Print each message of a recording as one line of JSON");
+  cat->add_option("FILE", arguments->file, "Recording (MCAP)")->required();
+  cat->add_flag("--trace", arguments->trace, "Print the lines of the run's trace instead");
+  cat->callback([arguments, &exit_code] {
+    exit_code = 0;
+    if (arguments->trace) return command::print(text_of_recording(arguments->file));
+    const bool complete =
+        record::print_json(arguments->file, [](std::string_view line) { command::print(std::string{line} + "\n"); });
+    if (!complete) note_early_end(arguments->file);
   });
 }
 
@@ -56,7 +128,7 @@ void add_check(CLI::App& command, int& exit_code) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App* check_command = command.add_subcommand(
       "check", "Check a trace against the laws of Move and Wait, equations (3) and (5), and of coordination");
-  CLI::Option* file = check_command->add_option("FILE", arguments->file, "Trace file");
+  CLI::Option* file = check_command->add_option("FILE", arguments->file, "Trace file, or recording");
   check_command->add_flag("--all", arguments->all, "Show every violation, not the first ten");
   check_command->add_flag("--rules", arguments->rules, "List the rules and the equations they state")->excludes(file);
   check_command->callback([arguments, file, &exit_code] {
@@ -73,10 +145,14 @@ void add_check(CLI::App& command, int& exit_code) {
 }  // namespace
 
 void add_trace_command(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand("trace", "Look at a trace written by `mrroc run --trace`");
+  CLI::App* command =
+      app.add_subcommand("trace", "Look at a trace of `mrroc run --trace`, or a recording of `mrroc run --record`");
   command->require_subcommand(1);
   add_hash(*command, exit_code);
   add_check(*command, exit_code);
+  add_cat(*command, exit_code);
+  add_diff(*command, exit_code);
+  add_plot_command(*command, exit_code);
 }
 
 }  // namespace mrroc::cli

@@ -86,6 +86,7 @@ std::optional<std::int64_t> whole_number(const std::string& text) { return core:
 
 std::vector<std::pair<std::string, std::filesystem::path>> input_files(const config::Deployment& deployment) {
   std::vector<std::pair<std::string, std::filesystem::path>> files{{"deployment", deployment.file}};
+  for (const std::filesystem::path& file : deployment.calibrations) files.emplace_back("deployment.calibration", file);
   if (!deployment.mp.states.empty()) files.emplace_back("mp.states", deployment.mp.states);
   if (deployment.sim) files.emplace_back("sim.scene", deployment.sim->scene);
   for (const config::RobotEntry& robot : deployment.robots) {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "cli/run/heartbeat.hpp"
+#include "cli/run/watch/heartbeat.hpp"
 #include "config/deployment.hpp"
 
 /// The protocol between `mrroc run` and `mrroc agent`, its helper on another host: lines of a word and its text.

@@ -8,7 +8,7 @@
 #include <string>
 #include <thread>
 
-#include "cli/run/heartbeat.hpp"
+#include "cli/run/watch/heartbeat.hpp"
 #include "clock/emergency_stop.hpp"
 #include "clock/wall/peer_clock.hpp"
 

@@ -127,6 +127,7 @@ void OperatorEvents::perform(config::Event event, Tick tick, std::uint64_t ticke
   } else {
     command_task(event.command);
   }
+  if (refused.text == nullptr) report_(event);
   performed_.push_back({std::move(event), ticket, number, refused});
 }
 

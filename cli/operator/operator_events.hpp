@@ -67,6 +67,10 @@ class OperatorEvents {
   void emergency_stop_arrives_when(std::function<bool()> arrived) { arrived_ = std::move(arrived); }
   bool emergency_stop_arrived() const { return arrived_(); }
 
+  /// Receives every command that takes effect, with its tick, before a process sees that tick; in the thread that
+  /// performs it, or under the real clock also another one. Before `schedule`.
+  void report_to(std::function<void(const config::Event& event)> report) { report_ = std::move(report); }
+
   /// Schedules the start at tick 0, unless `hold` or one of the events is a start, and the deployment's events. Call it
   /// before the clock starts. Main thread.
   void schedule(const config::Deployment& deployment, bool hold);
@@ -104,6 +108,7 @@ class OperatorEvents {
   RobotOrders& robots_;
   const bool real_;
   std::function<bool()> arrived_ = [] { return true; };
+  std::function<void(const config::Event& event)> report_ = [](const config::Event&) {};
   std::mutex mutex_;
   std::atomic<std::uint64_t> stops_given_{0};  ///< emergency stops
   std::uint64_t stops_performed_ = 0;

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "command/printable.hpp"
+#include "config/clock_names.hpp"
 #include "mrroc/errors.hpp"
 #include "process/answer_text.hpp"
 
@@ -31,11 +32,6 @@ const char* name_of(links::ProcessState state) noexcept {
 const char* name_of(links::QuestionKind kind) noexcept {
   constexpr const char* kNames[] = {"message", "number", "yes_no", "choice"};
   return kNames[static_cast<std::size_t>(kind)];
-}
-
-const char* name_of(config::ClockMode clock) noexcept {
-  if (clock == config::ClockMode::real) return "real";
-  return clock == config::ClockMode::paced ? "paced" : "lockstep";
 }
 
 Json json_of(const links::ProcessStatus& status) {
@@ -100,7 +96,7 @@ std::string list_of(const Json& values) {
 std::string to_json(const OperatorState& state) {
   Json json{{"deployment", state.deployment.name},
             {"file", state.deployment.file.string()},
-            {"clock", name_of(state.deployment.clock)},
+            {"clock", config::name_of(state.deployment.clock)},
             {"servo_period", state.deployment.servo_period},
             {"tick", state.tick},
             {"task", name_of(state.phase)},

@@ -34,6 +34,12 @@ Outputs::Outputs(const RunOptions& options, const config::Deployment& deployment
     notes_.emplace(claim_live(options.note_events, "--note-events", "the noted events"));
     known_.emplace_back("--note-events", notes_->identity());
   }
+  if (!options.recording.empty()) {
+    check_apart("--record", options.recording);
+    record_last_ = options.record_last.has_value();
+    recording_.emplace(claim_live(options.recording, "--record", "the recording"));
+    known_.emplace_back("--record", recording_->identity());
+  }
   if (!options.trace.empty()) {
     check_apart("--trace", options.trace);
     trace_.emplace(options.trace, deployment.start_timeout, wait);
@@ -71,6 +77,9 @@ void Outputs::begin() {
   if (trace_) trace_->clear();
   if (motion_ && motion_->is_own_regular_file() && ftruncate(motion_->fd(), 0) != 0)
     throw std::runtime_error("cannot write the motion file " + motion_->path().string() + ": " + std::strerror(errno));
+  // one of the last seconds replaces the file only when there is something to write
+  if (recording_ && !record_last_ && recording_->is_own_regular_file() && ftruncate(recording_->fd(), 0) != 0)
+    throw std::runtime_error("cannot write the recording " + recording_->path().string() + ": " + std::strerror(errno));
   if (notes_ && notes_->is_own_regular_file() && ftruncate(notes_->fd(), 0) != 0)
     throw std::runtime_error("cannot write the noted events " + notes_->path().string() + ": " + std::strerror(errno));
 }

@@ -35,6 +35,8 @@ class Outputs {
   int trace_of(const std::string& process) const noexcept { return parts_ ? parts_->fd_of(process) : -1; }
   int motion() const noexcept { return motion_ ? motion_->fd() : -1; }
   int notes() const noexcept { return notes_ ? notes_->fd() : -1; }
+  /// The open file of the recording; null: none is written.
+  const process::ClaimedFile* recording() const noexcept { return recording_ ? &*recording_ : nullptr; }
   /// Null: no trace is written.
   TraceParts* parts() noexcept { return parts_ ? &*parts_ : nullptr; }
   /// At the end of the run. Throws as TraceParts::join.
@@ -47,6 +49,8 @@ class Outputs {
   std::optional<TraceOutput> trace_;
   std::optional<process::ClaimedFile> motion_;
   std::optional<process::ClaimedFile> notes_;
+  std::optional<process::ClaimedFile> recording_;
+  bool record_last_ = false;
   std::optional<process::ClaimedFile> snapshots_;
   std::optional<TraceParts> parts_;
   bool begun_ = false;

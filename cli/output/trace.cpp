@@ -2,27 +2,17 @@
 
 #include <algorithm>
 #include <fstream>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
+#include "config/clock_names.hpp"
 #include "core/number_text.hpp"
 #include "mrroc/fnv.hpp"
 
 namespace mrroc::cli {
 
 namespace {
-
-const char* name_of(config::ClockMode clock) noexcept {
-  switch (clock) {
-    case config::ClockMode::real:
-      return "real";
-    case config::ClockMode::paced:
-      return "paced";
-    case config::ClockMode::lockstep:
-      return "lockstep";
-  }
-  return "real";
-}
 
 /// Removes what an editor or a file transfer has added around a line of a trace, so that the hash stays the same.
 void take_off_extras(std::string& text, bool first) {
@@ -69,7 +59,7 @@ void merge_traces(const std::vector<std::filesystem::path>& parts, config::Clock
   std::vector<std::filesystem::path> sorted = parts;
   std::sort(sorted.begin(), sorted.end());
   std::vector<Part> open(sorted.begin(), sorted.end());
-  std::string text = std::string{kTraceHeader} + name_of(clock) + "\n";
+  std::string text = std::string{kTraceHeader} + config::name_of(clock) + "\n";
   const auto earlier = [](const Part& a, const Part& b) { return !a.ended() && (b.ended() || a.tick() < b.tick()); };
   for (auto first = open.begin(); !open.empty(); first->next()) {
     first = std::min_element(open.begin(), open.end(), earlier);  // the first of those that are equally early
@@ -94,9 +84,9 @@ std::string merge_lines(const std::map<std::string, std::vector<std::string_view
   return text;
 }
 
-std::string hash_trace(const std::filesystem::path& trace) {
-  std::ifstream file(trace, std::ios::binary);
-  if (!file) throw std::runtime_error("cannot read the trace " + trace.string());
+namespace {
+
+std::string hash_stream(const std::filesystem::path& trace, std::istream& file) {
   std::string text;
   const bool any = static_cast<bool>(std::getline(file, text));
   take_off_extras(text, true);
@@ -110,6 +100,19 @@ std::string hash_trace(const std::filesystem::path& trace) {
     hash.add(text).add("\n");
   }
   return core::hexadecimal(hash.value());
+}
+
+}  // namespace
+
+std::string hash_trace(const std::filesystem::path& trace) {
+  std::ifstream file(trace, std::ios::binary);
+  if (!file) throw std::runtime_error("cannot read the trace " + trace.string());
+  return hash_stream(trace, file);
+}
+
+std::string hash_trace(const std::filesystem::path& name, const std::string& text) {
+  std::istringstream stream(text);
+  return hash_stream(name, stream);
 }
 
 }  // namespace mrroc::cli

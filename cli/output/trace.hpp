@@ -28,5 +28,7 @@ std::string merge_lines(const std::map<std::string, std::vector<std::string_view
 /// FNV-1a (64 bit) of all lines below the first, as 16 hexadecimal digits. Throws std::runtime_error when the file
 /// cannot be read or is not a trace.
 std::string hash_trace(const std::filesystem::path& trace);
+/// The same of a trace in memory; `name`: of its file in messages.
+std::string hash_trace(const std::filesystem::path& name, const std::string& text);
 
 }  // namespace mrroc::cli

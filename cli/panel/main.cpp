@@ -1,41 +1,28 @@
 // mrroc_panel: serves the operator's panel of a run to browsers.
-#include <signal.h>
-#include <sys/signalfd.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <nlohmann/json.hpp>
+#include <memory>
 #include <optional>
+#include <utility>
 
+#include "cli/operator/socket/side_program.hpp"
 #include "cli/panel/run_feed.hpp"
 #include "cli/panel/scene.hpp"
 #include "command/number_option.hpp"
-#include "command/parse_command.hpp"
 #include "command/print.hpp"
 #include "command/printable.hpp"
 #include "config/resources.hpp"
 #include "links/transport/network_interface.hpp"
-#include "process/standard_files.hpp"
 
 namespace mrroc::cli {
 namespace {
 
 struct PanelArguments {
-  std::string run;     ///< deployment, or deployment-pid; empty: the only run
-  std::string socket;  ///< instead of `run`
   std::string interface;
   PanelAddress address;
 };
-
-/// SIGTERM, SIGINT and SIGHUP as a descriptor, for all threads.
-int stop_signals() {
-  sigset_t signals;
-  sigemptyset(&signals);
-  for (const int number : {SIGTERM, SIGINT, SIGHUP}) sigaddset(&signals, number);
-  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-  return signalfd(-1, &signals, SFD_CLOEXEC);
-}
 
 PanelAddress address_of(const PanelArguments& arguments) {
   PanelAddress address = arguments.address;
@@ -57,48 +44,42 @@ std::optional<WorldView> view_of(const config::Deployment& deployment) try {
   return std::nullopt;
 }
 
-void serve(const PanelArguments& arguments, int stop) {
+void serve(const PanelArguments& arguments, WatchedRun run, int stop) {
   const PanelAddress address = address_of(arguments);
-  RunConnection run = arguments.socket.empty() ? RunConnection::to(arguments.run) : RunConnection(arguments.socket);
-  const auto status = nlohmann::json::parse(run.request("status").data);
-  const config::Deployment deployment = config::load_deployment(status.at("file").get<std::string>());
-  std::optional<WorldView> view = view_of(deployment);
-  CameraPictures pictures(deployment);
+  std::optional<WorldView> view = view_of(run.deployment);
+  CameraPictures pictures(run.deployment);
   auto files = load_page(config::type_file("panel", "page", "index.html").parent_path());
   const mjModel* const model = view ? &view->model() : nullptr;
-  files["scene.json"] = {media_type("scene.json"), scene_json(model, deployment, pictures.cameras()), ""};
-  PanelServer server(address, run.path(), std::move(files), pictures);
+  files["scene.json"] = {media_type("scene.json"), scene_json(model, run.deployment, pictures.cameras()), ""};
+  PanelServer server(address, run.connection.path(), std::move(files), pictures);
   command::print("panel: " + server.url(PanelRight::command) + "\n");
   command::print("panel, to watch only: " + server.url(PanelRight::watch) + "\n");
-  RunFeed(run, view ? &*view : nullptr, pictures, server).serve(stop);
+  RunFeed(run.connection, view ? &*view : nullptr, pictures, server).serve(stop);
   // nothing is left to be saved, and a browser that does not read would be waited for
   std::fflush(stdout);
   _exit(0);
 }
 
+class PanelProgram final : public SideProgram {
+ public:
+  const char* description() const override { return "Serves the operator's panel of a run to browsers."; }
+  void add_options(CLI::App& app) override {
+    PanelAddress& address = arguments_.address;
+    command::add_number(app, "--port", address.port, 0, 65535, "Port; 0: any free one");
+    app.add_option("--interface", arguments_.interface, "Network device or own address; default: this machine only");
+    app.add_option("--certificate", address.certificate, "PEM file with certificate and private key: TLS")
+        ->check(CLI::ExistingFile);
+  }
+  void serve(WatchedRun run, int stop) override { cli::serve(arguments_, std::move(run), stop); }
+
+ private:
+  PanelArguments arguments_;
+};
+
 }  // namespace
 }  // namespace mrroc::cli
 
 int main(int argc, char** argv) {
-  using namespace mrroc;
-  process::open_standard_files();
-  signal(SIGPIPE, SIG_IGN);
-  try {
-    const int stop = cli::stop_signals();
-    cli::PanelArguments arguments;
-    CLI::App app{"Serves the operator's panel of a run to browsers."};
-    app.add_option("DEPLOYMENT", arguments.run, "Name of the deployment, or NAME-PID; default: the only run");
-    app.add_option("--socket", arguments.socket, "Socket of the run, instead of its name");
-    command::add_number(app, "--port", arguments.address.port, 0, 65535, "Port; 0: any free one");
-    app.add_option("--interface", arguments.interface, "Network device or own address; default: this machine only");
-    app.add_option("--certificate", arguments.address.certificate, "PEM file with certificate and private key: TLS")
-        ->check(CLI::ExistingFile);
-    if (const auto exit_code = command::parse_command(app, argc, argv)) return *exit_code;
-    cli::serve(arguments, stop);
-  } catch (const std::exception& error) {
-    std::fflush(stdout);
-    std::fprintf(stderr, "mrroc_panel: %s\n", command::printable_lines(error.what()).c_str());
-    return 2;
-  }
-  return 0;
+  using namespace mrroc::cli;
+  return side_main(argc, argv, [] { return std::unique_ptr<SideProgram>(std::make_unique<PanelProgram>()); });
 }

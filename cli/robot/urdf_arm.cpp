@@ -98,7 +98,7 @@ UrdfArm arm_of(const Urdf& urdf, const std::string& base, const std::string& tip
     joints.push_back({fixed, joint->axis, joint->type == Urdf::Type::prismatic});
     fixed = Pose::Identity();
   }
-  check_distance(urdf, path.empty() ? urdf.joints().front() : *path.back(), fixed);
+  if (!path.empty()) check_distance(urdf, *path.back(), fixed);
   if (axes.empty() || axes.size() > static_cast<std::size_t>(kMaxJoints))
     throw ConfigurationError(urdf.file(), urdf.line_of_link(to), "link " + in_quotes(to),
                              std::to_string(axes.size()) + " moving joints between it and link " + in_quotes(from),

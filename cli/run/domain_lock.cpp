@@ -17,8 +17,11 @@ constexpr int kFirstFree = 1;
 constexpr int kLastFree = 100;
 }  // namespace
 
-DomainLock::DomainLock(int wanted) {
+DomainLock::DomainLock(int wanted, std::optional<int> avoided) {
   if (wanted >= 0) {
+    if (wanted == avoided)
+      throw std::runtime_error("DDS domain " + std::to_string(wanted) +
+                               " is that of ROS 2, expected another one of the key deployment.domain or ros2.domain");
     if (!take(wanted))
       throw std::runtime_error("DDS domain " + std::to_string(wanted) +
                                " is in use by another deployment on this host, expected a free one: name another "
@@ -26,7 +29,7 @@ DomainLock::DomainLock(int wanted) {
     return;
   }
   for (int domain = kFirstFree; domain <= kLastFree; ++domain) {
-    if (take(domain)) return;
+    if (domain != avoided && take(domain)) return;
   }
   throw std::runtime_error("no free DDS domain on this host");
 }

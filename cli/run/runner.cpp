@@ -17,9 +17,9 @@
 #include "cli/run/run_result.hpp"
 #include "cli/run/shutdown.hpp"
 #include "clock/wall/realtime.hpp"
+#include "config/network/ros2_entry.hpp"
 #include "config/resources.hpp"
 #include "mrroc/errors.hpp"
-#include "process/record/trace_file.hpp"
 
 namespace mrroc::cli {
 
@@ -28,7 +28,6 @@ namespace {
 constexpr int kHighestPriority = 81;            // of a servo thread under SCHED_FIFO
 constexpr double kHandShake = 0.1;              // s of one attempt to reach the MP
 constexpr double kEndTimeoutAfterSuccess = 10;  // s: on a busy machine the kernel takes seconds to end a process
-constexpr double kTraceReaderTimeout = 2;       // s without progress of the trace's reader while the operator waits
 
 /// The processes of one host; "": of this machine.
 std::vector<PlannedProcess> processes_on(const std::string& host, const std::vector<PlannedProcess>& plan) {
@@ -44,6 +43,17 @@ const std::string& within_limits(const std::vector<PlannedProcess>& plan, const 
   return text;
 }
 
+/// Nothing when there is no bridge.
+std::optional<int> domain_of_ros2(const config::Deployment& deployment, const RunOptions& options) {
+  if (!deployment.ros2 && !options.ros2) return std::nullopt;
+  return config::ros2_domain(deployment.ros2.value_or(config::Ros2Entry{}));
+}
+
+std::string bridge_program() {
+  if (const std::filesystem::path program = config::find_program("mrroc_ros2"); !program.empty()) return program;
+  throw std::runtime_error("the bridge to ROS 2 is not installed here, expected mrroc_ros2");
+}
+
 }  // namespace
 
 Runner::Runner(const config::Deployment& deployment, RunOptions options)
@@ -53,7 +63,7 @@ Runner::Runner(const config::Deployment& deployment, RunOptions options)
       text_(within_limits(plan_, options_.text)),
       black_boxes_(options_.black_box, deployment_, plan_),
       progress_(names_of(plan_), deployment_.servo_period, options_.quiet, descriptor_for_progress(options_.trace)),
-      domain_lock_(deployment_.domain),
+      domain_lock_(deployment_.domain, domain_of_ros2(deployment_, options_)),
       clock_(clock_options(deployment_, names_of(processes_on("", plan_)))),
       operator_clock_(clock_.operator_clock()),
       group_([this](const std::string& name, const std::string& line) { progress_.message(name + " | " + line); }),
@@ -84,8 +94,13 @@ process::ExitCode Runner::run() {
     return supervisor_.turn(milliseconds);
   });
   if (!supervisor_.ending()) outputs.begin();
+  // before the run is confined to one CPU: its thread is not part of the deployment
+  if (outputs.recording() != nullptr && !supervisor_.ending())
+    recorder_.emplace(*outputs.recording(),
+                      record::Recorder::Recorded{deployment_, plan_, options_.text, options_.faults, clock_,
+                                                 options_.record_servo_ticks, options_.record_last});
   open_operator(outputs);
-  if (options_.panel) open_panel();
+  open_sides();
   // lockstep is serial by nature: one CPU for all is several times faster than two
   if (deployment_.clock != config::ClockMode::real) clock::pin_to_one_cpu();
   supervisor_.guard([&] {
@@ -98,6 +113,7 @@ process::ExitCode Runner::run() {
   if (supervisor_.result().code == process::ExitCode::system)
     if (const std::string line = black_boxes_.save_rest(); !line.empty()) progress_.message(line);
   join_trace(outputs);
+  close_recording();
   RunResult result = supervisor_.result();
   if (hosts_) result.hosts = hosts_->summaries();
   if (!options_.quiet) progress_.message(report_of(deployment_, result));
@@ -111,7 +127,9 @@ void Runner::open_operator(const Outputs& outputs) {
     notes_.emplace(outputs.notes(), options_.note_events, deployment_);
     service_.note_to([this](const config::Event& event) { notes_->note(event); });
   }
-  service_.record_with([this](const std::string& file) { return black_boxes_.record(file); });
+  service_.record_with([this](const std::string& file) {
+    return recorder_ && recorder_->keeps_last() ? recorder_->save(file) : black_boxes_.record(file);
+  });
   service_.end_with([this] { supervisor_.fail(process::ExitCode::stopped, "ended by the operator"); });
   progress_.listen([this](const std::string& text) { service_.message(text); });
   try {
@@ -125,38 +143,23 @@ void Runner::open_operator(const Outputs& outputs) {
   });
 }
 
-void Runner::open_panel() {
+void Runner::open_sides() {
   supervisor_.guard([this] {
-    if (!socket_) throw std::runtime_error("without the operator's socket there is no panel");
-    // its URL contains the right to command: clients of the socket do not see it
-    panel_.emplace(*options_.panel, socket_->path(), [this](const std::string& line) { progress_.notice(line); });
-    supervisor_.watch(*panel_);
-    while (!panel_->started())
-      if (!supervisor_.turn(Supervisor::kTurn)) return;
-    if (panel_->ended()) supervisor_.fail(process::ExitCode::usage, panel_->last_line());
+    if (options_.panel) open_side("panel", panel_program(), panel_arguments(*options_.panel));
+    if (deployment_.ros2 || options_.ros2) open_side("ros2", bridge_program(), {});
   });
 }
 
-/// A success without its trace is a failure.
-void Runner::join_trace(Outputs& outputs) {
-  for (const PlannedProcess& process : plan_) {
-    const Child* const child = group_.find(process.name);
-    // the last report of a task that could not write its part
-    if (child != nullptr && child->exit_code() == static_cast<int>(process::ExitCode::system) &&
-        child->last_line().starts_with(process::kTraceProblem))
-      supervisor_.fail(process::ExitCode::system, child->last_line());
-  }
-  try {
-    outputs.join_trace(deployment_.clock, [this](double stalled) {
-      supervisor_.watch_operator(0);
-      return !supervisor_.hurried() && !(supervisor_.interrupted() && stalled > kTraceReaderTimeout);
-    });
-  } catch (const std::exception& error) {
-    if (supervisor_.result().code == process::ExitCode::success)
-      supervisor_.fail(supervisor_.hurried() ? process::ExitCode::stopped : process::ExitCode::system, error.what());
-    else
-      progress_.error("mrroc: " + deployment_.name + ": " + error.what());  // not a consequence of the run's failure
-  }
+void Runner::open_side(const std::string& name, const std::string& program, std::vector<std::string> words) {
+  if (supervisor_.ending()) return;
+  if (!socket_) throw std::runtime_error("without the operator's socket there is no process '" + name + "'");
+  // its lines may contain a right to command, as the panel's URL: clients of the socket do not see them
+  SideProcess& side = sides_.emplace_back(name, program, std::move(words), socket_->path(),
+                                          [this](const std::string& line) { progress_.notice(line); });
+  supervisor_.watch(side);
+  while (!side.started())
+    if (!supervisor_.turn(Supervisor::kTurn)) return;
+  if (side.ended()) supervisor_.fail(process::ExitCode::usage, side.last_line());
 }
 
 void Runner::start_processes(Outputs& outputs) {
@@ -172,6 +175,7 @@ void Runner::start_processes(Outputs& outputs) {
                                   .options = options_,
                                   .outputs = outputs,
                                   .black_boxes = black_boxes_,
+                                  .recorder = recorder_ ? &*recorder_ : nullptr,
                                   .domain = domain_lock_.domain(),
                                   .own_address = hosts_->own_address(),
                                   .peers = hosts_->machines(),
@@ -197,13 +201,13 @@ void Runner::pass_barrier() {
   while (!(missing = not_ready()).empty()) {
     if (!supervisor_.turn(Supervisor::kTurn)) return;
     if (operator_clock_->wall_seconds() > deadline) {
-      supervisor_.fail(process::ExitCode::system,
-                       fmt::format("not ready within {} s: {}", deployment_.start_timeout, fmt::join(missing, ", ")));
+      not_ready_in_time(fmt::format("{}", fmt::join(missing, ", ")));
       return;
     }
   }
   if (!connect_to_mp(deadline)) return;
   links_->events.emergency_stop_arrives_when([this] { return hosts_->follow_emergency_stop(); });
+  if (recorder_) links_->events.report_to([this](const config::Event& event) { recorder_->take(event); });
   links_->events.schedule(deployment_, options_.hold);
   service_.connect(links_->events, links_->questions, links_->robots);
   faults_.schedule();
@@ -250,10 +254,19 @@ bool Runner::connect_to_mp(double deadline) {
       links_->robots.connect(kHandShake);
       return true;
     } catch (const SystemError& error) {
-      if (error.code() != ErrorCode::link_lost || operator_clock_->wall_seconds() > deadline) throw;
+      if (error.code() != ErrorCode::link_lost) throw;
+      if (operator_clock_->wall_seconds() > deadline) {
+        not_ready_in_time(error.what());
+        return false;
+      }
     }
     if (!supervisor_.turn(0)) return false;
   }
+}
+
+void Runner::not_ready_in_time(const std::string& missing) {
+  supervisor_.fail(process::ExitCode::system,
+                   fmt::format("not ready within {} s: {}", deployment_.start_timeout, missing));
 }
 
 void Runner::end_processes() {

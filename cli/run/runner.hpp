@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <list>
 #include <memory>
 #include <optional>
 #include <string>
@@ -16,11 +17,13 @@
 #include "cli/output/outputs.hpp"
 #include "cli/processes/process_group.hpp"
 #include "cli/processes/process_plan.hpp"
+#include "cli/record/recorder.hpp"
 #include "cli/run/domain_lock.hpp"
 #include "cli/run/fault_injector.hpp"
 #include "cli/run/progress.hpp"
 #include "cli/run/run_links.hpp"
 #include "cli/run/run_options.hpp"
+#include "cli/run/side_process.hpp"
 #include "cli/run/supervisor.hpp"
 #include "clock/host.hpp"
 #include "config/deployment.hpp"
@@ -42,18 +45,26 @@ class Runner {
 
  private:
   void open_operator(const Outputs& outputs);
-  /// Starts the panel's server and waits until it serves; the run fails when it does not.
-  void open_panel();
+  /// Starts the panel's server and the bridge to ROS 2 where they are wanted.
+  void open_sides();
+  /// Starts one and waits until it serves; the run fails when it does not.
+  void open_side(const std::string& name, const std::string& program, std::vector<std::string> words);
   void start_processes(Outputs& outputs);
   void pass_barrier();
   /// Connects to the MP and the EDPs, and watches processes and the operator meanwhile; returns false when the run must
   /// end.
   bool connect_to_mp(double deadline);
+  /// Ends the run: `missing` was not ready within the deployment's start time-out.
+  void not_ready_in_time(const std::string& missing);
   void end_processes();
   /// Callbacks for reports of other hosts.
   HostListener host_listener(Outputs& outputs);
   /// Writes the trace; if it is incomplete, the reason becomes the reason of the run's failure.
   void join_trace(Outputs& outputs);
+  /// Closes the recording; if it is incomplete, the reason becomes the reason of the run's failure.
+  void close_recording();
+  /// The run's failure, or after another one only a message: an output is incomplete.
+  void fail_by_output(process::ExitCode code, const std::string& reason);
   /// The part of the order that is the same for all other hosts.
   AgentOrder common_order() const;
   /// The processes here that are not ready, and those of the other hosts.
@@ -76,7 +87,8 @@ class Runner {
   std::unique_ptr<RemoteHosts> hosts_;
   ConsoleInput input_;
   std::optional<EventNotes> notes_;
-  std::optional<PanelProcess> panel_;  // ends after the socket
+  std::optional<record::Recorder> recorder_;
+  std::list<SideProcess> sides_;  // end after the socket
   std::optional<OperatorSocket> socket_;
   std::unique_ptr<RunLinks> links_;
   std::optional<OperatorConsole> console_;

@@ -164,7 +164,7 @@ void Supervisor::wait(int milliseconds) {
 
 void Supervisor::poll_operator() {
   if (socket_ != nullptr) socket_->poll();
-  if (panel_ != nullptr) panel_->poll();
+  for (SideProcess* const side : sides_) side->poll();
   if (task_started_ && !ending_) {
     console_->poll(watched_.service.may_answer() && socket_ != nullptr && socket_->watched());
     if (console_->takes_keys())

@@ -14,12 +14,12 @@
 #include "cli/processes/process_plan.hpp"
 #include "cli/processes/signals.hpp"
 #include "cli/run/fault_injector.hpp"
-#include "cli/run/heartbeats.hpp"
-#include "cli/run/panel_process.hpp"
 #include "cli/run/progress.hpp"
 #include "cli/run/run_links.hpp"
 #include "cli/run/run_result.hpp"
-#include "cli/run/stall_watch.hpp"
+#include "cli/run/side_process.hpp"
+#include "cli/run/watch/heartbeats.hpp"
+#include "cli/run/watch/stall_watch.hpp"
 #include "clock/host.hpp"
 #include "config/deployment.hpp"
 #include "process/exit_code.hpp"
@@ -55,7 +55,7 @@ class Supervisor {
     console_ = &console;
   }
   void watch(OperatorSocket& socket) { socket_ = &socket; }
-  void watch(PanelProcess& panel) { panel_ = &panel; }
+  void watch(SideProcess& side) { sides_.push_back(&side); }
   /// The processes that have not reported any status yet.
   std::vector<std::string> without_status() const { return heartbeats_.missing(names_of(watched_.plan)); }
   /// All processes are ready and the clock starts: from now on each must send heartbeats.
@@ -117,7 +117,7 @@ class Supervisor {
   RunLinks* links_ = nullptr;
   OperatorConsole* console_ = nullptr;
   OperatorSocket* socket_ = nullptr;
-  PanelProcess* panel_ = nullptr;
+  std::vector<SideProcess*> sides_;
   int interrupts_ = 0;
   bool ending_ = false;
   bool hurried_ = false;

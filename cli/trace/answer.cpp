@@ -5,13 +5,15 @@ namespace mrroc::cli::trace {
 std::vector<Answer> answers(const Step& step) {
   std::vector<Answer> found;
   const Line& line = step.line;
-  if (step.before == nullptr || line.held != 0 || line.broken_off() || line.robots.size() != step.before->robots.size())
+  if (step.before == nullptr || line.held != 0 || line.obtained || line.broken_off() ||
+      line.robots.size() != step.before->robots.size())
     return found;
   for (std::size_t i = 0; i < line.robots.size(); ++i) {
     const RobotEntry& from = step.before->robots[i];
     const RobotEntry& to = line.robots[i];
     const bool moves =
         from.command && from.command->kind != CommandKind::query && from.command->kind != CommandKind::set_tool;
+    if (to.coordination == Coordination::left) continue;  // the command was not executed
     if (!moves || to.error != ErrorClass::none || from.name != to.name) continue;
     Answer answer{from, *from.command, to};
     const RobotMemory* known = step.memory.robot(from.name);
@@ -22,6 +24,8 @@ std::vector<Answer> answers(const Step& step) {
     answer.end_before = forced && step.before->step != 0 ? from.macrostep + known->steps : from.desired_tick;
     answer.after_force = forced && from.command->kind != CommandKind::force;
     answer.late = to.late > from.late;
+    answer.in_group = line.robots.size() > 1 || from.superior || to.superior;
+    answer.by_ecp = to.coordination == Coordination::takes_part;
     found.push_back(answer);
   }
   return found;

@@ -18,20 +18,24 @@ struct Answer {
   bool after_force = false;
   /// The command came after the robot had begun to brake: it may take longer, too.
   bool late = false;
+  /// A robot of several in one Move.
+  bool in_group = false;
+  /// The robot executed a command of its ECP, equation (11): a line of that process has it.
+  bool by_ecp = false;
 
   /// The robot stopped first, because the command begins later than the motion before ended.
   bool stopped_first() const noexcept { return from.moving && to.macrostep != end_before; }
   /// The desired state at the macrostep's start is that of `from`.
   bool continues() const noexcept { return !after_force && !late && !stopped_first(); }
-  /// The robot has held instead: the operator had moved it meanwhile. A late command to a robot that had rested has no
-  /// other reason.
-  bool held_instead() const noexcept { return late && !from.moving && !to.moving; }
+  /// The robot has held instead: it had braked in step with the others of its Move, or the operator had moved it
+  /// meanwhile. A late command to a single robot that had rested has no other reason.
+  bool held_instead() const noexcept { return late && !to.moving && (in_group || !from.moving); }
   /// The state is from after the macrostep, and describes a stop instead of the macrostep's end.
   bool braked() const noexcept { return to.tick > to.macrostep + command.motion_steps && to.desired_tick > to.tick; }
 };
 
 /// One for each robot whose state in the line answers the command of the line before without an error. Empty where the
-/// robots held in between, or the exchange was broken off.
+/// robots held or were queried in between, or the exchange was broken off.
 std::vector<Answer> answers(const Step& step);
 
 }  // namespace mrroc::cli::trace

@@ -1,6 +1,7 @@
 #include "cli/trace/check.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "cli/trace/words.hpp"
 
@@ -12,8 +13,8 @@ constexpr std::size_t kDeferred = 100;  // kept violations of a process that its
 
 class Check {
  public:
-  Check(const std::filesystem::path& file, const std::function<void(const std::string&)>& report)
-      : name_(file.filename().string()), reader_(file), report_(report), rules_(all_rules()) {
+  Check(const std::filesystem::path& file, Reader reader, const std::function<void(const std::string&)>& report)
+      : name_(file.filename().string()), reader_(std::move(reader)), report_(report), rules_(all_rules()) {
     memory_.simulated = reader_.simulated();
     memory_.black_box = reader_.black_box();
     verdict_.rules = rules_.size();
@@ -116,7 +117,12 @@ class Check {
 }  // namespace
 
 Verdict check_trace(const std::filesystem::path& file, const std::function<void(const std::string&)>& report) {
-  return Check(file, report).run();
+  return Check(file, Reader(file), report).run();
+}
+
+Verdict check_trace(const std::filesystem::path& name, std::string text,
+                    const std::function<void(const std::string&)>& report) {
+  return Check(name, Reader(name, std::move(text)), report).run();
 }
 
 std::string text_of_rules() {

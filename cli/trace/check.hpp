@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <string>
 
 #include "cli/trace/rule.hpp"
 
@@ -23,6 +24,10 @@ struct Verdict {
 /// it is certain, as "FILE:LINE: rule: found, expected ...". Memory does not grow with the trace's length. Throws
 /// std::runtime_error when the file cannot be read or a line does not follow the format.
 Verdict check_trace(const std::filesystem::path& file, const std::function<void(const std::string&)>& report);
+
+/// The same of a trace in memory; `name`: of its file in messages.
+Verdict check_trace(const std::filesystem::path& name, std::string text,
+                    const std::function<void(const std::string&)>& report);
 
 /// Every rule with the equation it states, one per line.
 std::string text_of_rules();

@@ -22,6 +22,8 @@ struct CommandEntry {
   Tick start_tick = 0;             ///< 0: none is given
   Numbers target;  ///< joints, shafts, pose, velocity or twist, according to the kind; for force: a twist, a wrench
   std::string behaviour;  ///< for force: a letter per axis
+
+  bool operator==(const CommandEntry&) const = default;
 };
 
 /// `robot=` and what follows it: e^i. Units and frames are those of RobotState.
@@ -33,12 +35,14 @@ struct RobotEntry {
   Tick desired_tick = 0;
   Numbers desired, desired_pose;  ///< poses: x, y, z, then the quaternion w, x, y, z
   bool moving = false;            ///< at `desired_tick`
-  std::uint64_t late = 0;         ///< late commands since the start
-  Numbers wrench;                 ///< empty where it is zero
-  double lost = 0;                ///< lost fraction of a force motion's twist, 0..1
+  Coordination coordination = Coordination::none;
+  std::uint64_t late = 0;  ///< late commands since the start
+  Numbers wrench;          ///< empty where it is zero
+  double lost = 0;         ///< lost fraction of a force motion's twist, 0..1
   ErrorClass error = ErrorClass::none;
   std::string error_code;  ///< in words
   std::optional<CommandEntry> command;
+  std::optional<CommandEntry> superior;  ///< c_0: what the MP commands, in an ECP that takes part in its Move
 };
 
 enum class SensorMode { interactive, polled, published };
@@ -50,6 +54,11 @@ struct SensorEntry {
   Numbers values;
   std::uint64_t period = 1;  ///< steps
   SensorMode mode = SensorMode::interactive;
+  std::uint64_t configuration = 0;  ///< with which the reading was made
+  std::uint64_t configured = 0;     ///< that the process was the last to set
+
+  /// The process has configured the sensor after `before`, and no reading has come since.
+  bool emptied_since(const SensorEntry& before) const { return values.empty() && configuration > before.configuration; }
   ErrorClass error = ErrorClass::none;
   std::string error_code;  ///< in words
 };
@@ -71,6 +80,7 @@ struct Line {
   std::optional<std::string> until;
   std::uint64_t step = 0;
   std::uint64_t held = 0;
+  bool obtained = false;  ///< the states are those of a query since the line before
   std::vector<RobotEntry> robots;
   std::vector<SensorEntry> sensors;
   std::vector<ConditionEntry> conditions;

@@ -18,6 +18,23 @@ bool follows(const Line& line, const Line& before) {
   return line.step == before.step + 1 || (line.step == before.step && line.broken_off());
 }
 
+/// The later one of the two lines about a step is compared with the earlier one, and then both are settled. Holds of
+/// the MP have a line of the ECP only.
+void remember_superior(const Line& line, const RobotEntry& robot, RobotMemory& known) {
+  if (robot.coordination == Coordination::left) known.followed.reset();
+  if (robot.superior) {
+    if (known.wish_of(line, robot) != nullptr)
+      known.wished.reset();
+    else
+      known.followed = {robot.tick, *robot.superior};
+  } else if (robot.command && line.process != robot.name) {
+    if (known.wish_of(line, robot) != nullptr)
+      known.followed.reset();
+    else
+      known.wished = {robot.tick, *robot.command};
+  }
+}
+
 void remember_robots(const Line& line, const Line* before, Memory& memory, ProcessMemory& process) {
   for (std::size_t i = 0; i < line.robots.size(); ++i) {
     const RobotEntry& robot = line.robots[i];
@@ -31,6 +48,7 @@ void remember_robots(const Line& line, const Line* before, Memory& memory, Proce
       known.steps = answers ? before->robots[i].command->motion_steps : 0;
     }
     if (robot.command) known.by[line.process] = {line.number, line.tick};
+    remember_superior(line, robot, known);
   }
 }
 
@@ -51,6 +69,13 @@ bool share_a_robot(const Line& a, const Line& b) {
 }
 
 }  // namespace
+
+const CommandEntry* RobotMemory::wish_of(const Line& line, const RobotEntry& robot) const {
+  const bool of_mp = robot.command && line.process != robot.name;
+  if (!robot.superior && !of_mp) return nullptr;
+  const std::optional<Side>& other = robot.superior ? wished : followed;
+  return other && other->tick == robot.tick ? &other->command : nullptr;
+}
 
 const ProcessMemory* Memory::process(const std::string& name) const { return find_in(processes, name); }
 

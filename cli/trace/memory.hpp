@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -41,6 +42,14 @@ struct RobotMemory {
   bool forced = false;      ///< the last command that it answered was a force motion: its end is not in the state
   std::uint64_t steps = 0;  ///< N of that command
   std::map<std::string, Commanded> by;  ///< by process
+  /// Equation (11): the MP's last command that no line of the ECP shows yet, and the other way round.
+  struct Side {
+    Tick tick = 0;  ///< of the state of which it is the answer
+    CommandEntry command;
+  };
+  std::optional<Side> wished, followed;
+  /// The command of the other side about the step of `line`, where its line came first; else null.
+  const CommandEntry* wish_of(const Line& line, const RobotEntry& robot) const;
 };
 
 /// The record of all lines so far: bounded by processes, robots and sensors, not by the trace's length.

@@ -4,38 +4,19 @@
 #include <cmath>
 #include <utility>
 
+#include "process/record/trace_words.hpp"
+
 namespace mrroc::cli::trace {
 
 namespace {
 
 constexpr double kUnitLength = 1e-6;  // tolerance of a quaternion's length
 
-template <class Value, std::size_t N>
-using Words = std::array<std::pair<std::string_view, Value>, N>;
-
-constexpr Words<CommandKind, 9> kKinds{{{"query", CommandKind::query},
-                                        {"hold", CommandKind::hold},
-                                        {"joint", CommandKind::joint},
-                                        {"pose", CommandKind::pose},
-                                        {"motor", CommandKind::motor},
-                                        {"joint_velocity", CommandKind::joint_velocity},
-                                        {"twist", CommandKind::twist},
-                                        {"force", CommandKind::force},
-                                        {"change", CommandKind::set_tool}}};
-
-constexpr Words<StepEnding, 7> kEndings{{{"condition", StepEnding::condition},
-                                         {"generator", StepEnding::generator},
-                                         {"end_motion", StepEnding::end_motion},
-                                         {"stopped", StepEnding::stopped},
-                                         {"non_fatal_error", StepEnding::non_fatal_error},
-                                         {"hardware_error", StepEnding::hardware_error},
-                                         {"system_error", StepEnding::system_error}}};
-
-constexpr Words<ErrorClass, 3> kClasses{
+constexpr process::TraceWords<ErrorClass, 3> kClasses{
     {{"non-fatal", ErrorClass::non_fatal}, {"hardware", ErrorClass::hardware}, {"system", ErrorClass::system}}};
 
 template <class Value, std::size_t N>
-Value one_of(const Words<Value, N>& words, std::string_view found, std::string_view field) {
+Value one_of(const process::TraceWords<Value, N>& words, std::string_view found, std::string_view field) {
   std::string known;
   for (const auto& [word, value] : words) {
     if (word == found) return value;
@@ -108,7 +89,7 @@ CommandEntry parse_command(std::string_view text) {
     if (!part.starts_with(letters)) throw Malformed("command", part, std::string{letters}.append(" and a number"));
     return parse_count(part.substr(letters.size()), "command");
   };
-  command.kind = one_of(kKinds, next(), "command");
+  command.kind = one_of(process::kCommandWords, next(), "command");
   std::string_view part = next();
   if (part == "relative") command.relative = true, part = next();
   if (part == "motors") command.interpolation = Interpolation::motors, part = next();
@@ -142,11 +123,14 @@ RobotEntry take_robot(Fields& fields) {
   fields.expect(" desired_pose=", "robot");
   robot.desired_pose = take_pose(fields, "desired_pose");
   robot.moving = fields.take(" moving");
+  if (fields.take(" coordinated")) robot.coordination = Coordination::takes_part;
+  if (fields.take(" left")) robot.coordination = Coordination::left;
   if (fields.take(" late=")) robot.late = fields.count("late");
   if (fields.take(" wrench=")) robot.wrench = fields.finite_numbers("wrench", 6);
   if (fields.take(" lost=")) robot.lost = fields.finite_numbers("lost", 1)[0];
   robot.error = take_error(fields, robot.error_code);
   if (fields.take(" command=")) robot.command = parse_command(fields.word());
+  if (fields.take(" superior=")) robot.superior = parse_command(fields.word());
   return robot;
 }
 
@@ -161,6 +145,8 @@ SensorEntry take_sensor(Fields& fields) {
   if (sensor.period == 0) throw Malformed("period", "0", "at least 1");
   if (fields.take(" published")) sensor.mode = SensorMode::published;
   if (fields.take(" polled")) sensor.mode = SensorMode::polled;
+  if (fields.take(" configuration=")) sensor.configuration = fields.count("configuration");
+  if (fields.take(" configured=")) sensor.configured = fields.count("configured");
   sensor.error = take_error(fields, sensor.error_code);
   return sensor;
 }
@@ -190,10 +176,11 @@ void take_head(Fields& fields, Line& line) {
 
 void take_rest(Fields& fields, Line& line) {
   if (fields.take(" held=")) line.held = fields.count("held");
+  line.obtained = fields.take(" obtained");
   while (fields.take(" robot=")) line.robots.push_back(take_robot(fields));
   while (fields.take(" sensor=")) line.sensors.push_back(take_sensor(fields));
   while (fields.take(" condition=\"")) line.conditions.push_back(take_condition(fields));
-  if (fields.take(" end=")) line.ending = one_of(kEndings, fields.word(), "end");
+  if (fields.take(" end=")) line.ending = one_of(process::kEndingWords, fields.word(), "end");
   if (fields.take(" skew=")) line.skew = fields.count("skew");
   if (!fields.at_end()) {
     fields.take(" ");

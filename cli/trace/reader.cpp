@@ -2,10 +2,14 @@
 
 #include <cerrno>
 #include <cstring>
+#include <fstream>
 #include <limits>
+#include <sstream>
+#include <utility>
 
 #include "cli/output/trace.hpp"
 #include "cli/trace/parse_line.hpp"
+#include "config/clock_names.hpp"
 #include "core/text_lines.hpp"
 #include "process/record/text_line.hpp"
 
@@ -30,21 +34,27 @@ Remark parse_remark(std::string_view text) {
 
 }  // namespace
 
-Reader::Reader(std::filesystem::path file) : path_(std::move(file)), file_(path_, std::ios::binary) {
-  if (!file_) throw std::runtime_error("cannot read the trace " + path_.string() + ": " + std::strerror(errno));
+Reader::Reader(std::filesystem::path file) : Reader(file, std::make_unique<std::ifstream>(file, std::ios::binary)) {}
+
+Reader::Reader(std::filesystem::path name, std::string text)
+    : Reader(std::move(name), std::make_unique<std::istringstream>(std::move(text))) {}
+
+Reader::Reader(std::filesystem::path path, std::unique_ptr<std::istream> stream)
+    : path_(std::move(path)), file_(std::move(stream)) {
+  if (!*file_) throw std::runtime_error("cannot read the trace " + path_.string() + ": " + std::strerror(errno));
   const bool known = read() && text_.starts_with(kTraceHeader);
   std::string clock = known ? text_.substr(kTraceHeader.size()) : "";
   black_box_ = clock.ends_with(process::kBlackBoxMark);
   if (black_box_) clock.resize(clock.size() - process::kBlackBoxMark.size());
   simulated_ = clock != "real";
-  if (clock != "real" && clock != "paced" && clock != "lockstep")
+  if (!config::clock_named(clock))
     throw std::runtime_error(path_.string() + ":1: is not a trace, expected the line \"" + std::string{kTraceHeader} +
                              "...\", the clock real, paced or lockstep");
 }
 
 bool Reader::read() {
-  if (!std::getline(file_, text_)) {
-    if (file_.bad()) throw std::runtime_error("cannot read the trace " + path_.string() + ": " + std::strerror(errno));
+  if (!std::getline(*file_, text_)) {
+    if (file_->bad()) throw std::runtime_error("cannot read the trace " + path_.string() + ": " + std::strerror(errno));
     return false;
   }
   ++number_;

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <filesystem>
-#include <fstream>
+#include <istream>
+#include <memory>
+#include <string>
 #include <variant>
 
 #include "cli/trace/line.hpp"
@@ -22,6 +24,8 @@ class Reader {
  public:
   /// Throws std::runtime_error when the file cannot be read or is not a trace.
   explicit Reader(std::filesystem::path file);
+  /// Reads the text of a trace. `name`: of the file in messages. Throws as the other one.
+  Reader(std::filesystem::path name, std::string text);
 
   /// Whether the trace was written under a simulated clock: lockstep or paced, not real.
   bool simulated() const noexcept { return simulated_; }
@@ -32,10 +36,11 @@ class Reader {
   std::variant<std::monostate, Line, Remark> next();
 
  private:
+  Reader(std::filesystem::path path, std::unique_ptr<std::istream> stream);
   bool read();
 
   std::filesystem::path path_;
-  std::ifstream file_;
+  std::unique_ptr<std::istream> file_;
   std::string text_;
   std::size_t number_ = 0;
   bool simulated_ = true;

@@ -23,7 +23,7 @@ void macrostep_start(const Step& step, Findings& findings) {
     const Tick earliest = std::max(answer.command.start_tick, answer.end_before);
     const std::string found = words("macrostep=", start, " of robot ", answer.to.name);
     if (start < earliest) findings.add(found, words("at least ", earliest));
-    if (start <= earliest || answer.late || answer.after_force) continue;
+    if (start <= earliest || answer.late || answer.after_force || answer.by_ecp) continue;
     // a moving robot cannot begin later, because it would have braked; a held robot may
     if (answer.from.moving && answer.command.kind != CommandKind::hold && earliest == answer.end_before)
       findings.add(found, words(earliest, ", where the motion before ends"));
@@ -66,6 +66,7 @@ void macrostep_end(const Step& step, Findings& findings) {
         findings.add(words("robot ", answer.to.name, " moves after its macrostep"), "rest, or a stop");
       continue;
     }
+    if (answer.by_ecp) continue;
     if (command.kind == CommandKind::force) {
       if (answer.to.desired_tick != answer.to.tick && answer.to.tick < end)
         findings.add(found, words(answer.to.tick, ", the set-point of now: where a force motion leads is not known"));
@@ -82,7 +83,8 @@ void rest_before_resume(const Step& step, Findings& findings) {
   if (step.before == nullptr || line.ends()) return;
   bool late = false;
   for (std::size_t i = 0; i < std::min(line.robots.size(), step.before->robots.size()); ++i)
-    late = late || line.robots[i].late > step.before->robots[i].late;
+    if (!step.before->robots[i].superior)  // the MP decides
+      late = late || line.robots[i].late > step.before->robots[i].late;
   const bool paused = line.held != 0 && line.is_move;  // a Wait continues holding: it needs no rest
   if (!paused && !late) return;
   for (const RobotEntry& robot : line.robots)

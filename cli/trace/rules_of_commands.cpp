@@ -40,7 +40,7 @@ bool near(const Numbers& a, const Numbers& b, double tolerance) {
 void joint_target(const Step& step, Findings& findings) {
   for (const Answer& answer : answers(step)) {
     const CommandEntry& command = answer.command;
-    if (command.kind != CommandKind::joint || answer.braked() || answer.held_instead()) continue;
+    if (command.kind != CommandKind::joint || answer.by_ecp || answer.braked() || answer.held_instead()) continue;
     if (command.relative && !answer.continues()) continue;
     Numbers target = command.target;
     if (command.relative && target.size() == answer.from.desired.size())
@@ -62,7 +62,7 @@ Eigen::Isometry3d to_pose(const Numbers& numbers) {
 void pose_target(const Step& step, Findings& findings) {
   for (const Answer& answer : answers(step)) {
     const CommandEntry& command = answer.command;
-    if (command.kind != CommandKind::pose || answer.braked() || answer.held_instead()) continue;
+    if (command.kind != CommandKind::pose || answer.by_ecp || answer.braked() || answer.held_instead()) continue;
     if (command.relative && !answer.continues()) continue;
     Eigen::Isometry3d target = to_pose(command.target);
     if (command.relative) target = to_pose(answer.from.desired_pose) * target;

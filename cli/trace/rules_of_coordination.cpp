@@ -29,13 +29,21 @@ void no_skew(const Step& step, Findings& findings) {
     findings.add(words("macrosteps that begin up to ", spread(step.line), " ticks apart"), "one tick for all");
 }
 
+/// The MP and the ECP of the robot command it in one step: equation (11).
+bool take_part(const Line& line, const RobotEntry& robot, const std::string& other) {
+  if (line.process == robot.name) return robot.superior.has_value();
+  return other == robot.name && robot.coordination != Coordination::none;
+}
+
 void one_commander(const Step& step, Findings& findings) {
   if (step.before == nullptr) return;
   for (const RobotEntry& robot : step.before->robots) {
     const RobotMemory* known = step.memory.robot(robot.name);
     if (!robot.command || known == nullptr) continue;
     for (const auto& [process, command] : known->by) {
-      if (process == step.line.process || command.tick < step.before->tick || command.tick >= step.line.tick) continue;
+      if (process == step.line.process || take_part(step.line, robot, process) || command.tick < step.before->tick ||
+          command.tick >= step.line.tick)
+        continue;
       findings.add(words("robot ", robot.name, " is commanded by ", process, " too, at tick ", command.tick,
                          " in line ", command.line),
                    words("by ", step.line.process, " alone, from tick ", step.before->tick, " to ", step.line.tick));
@@ -43,12 +51,28 @@ void one_commander(const Step& step, Findings& findings) {
   }
 }
 
+/// The lines of the MP and of the ECP about one step may come in either order: the later one is compared.
+void superior_command(const Step& step, Findings& findings) {
+  if (step.memory.black_box) return;  // lines of one side may be missing
+  for (const RobotEntry& robot : step.line.robots) {
+    if (robot.superior && !robot.command)
+      findings.add(words("superior= of robot ", robot.name, " without a command"), "the command that follows from it");
+    const RobotMemory* known = step.memory.robot(robot.name);
+    const CommandEntry* other = known != nullptr ? known->wish_of(step.line, robot) : nullptr;
+    if (other != nullptr && *other != (robot.superior ? *robot.superior : *robot.command))
+      findings.add_unless_dropped(words("the command of the MP to robot ", robot.name, " differs from superior="),
+                                  "one command in the lines of the MP and of the ECP");
+  }
+}
+
 }  // namespace
 
 Rules rules_of_coordination() {
-  return {{"common-start", "coordination", "robots that are commanded together are given a start tick", common_start},
-          {"no-skew", "coordination", "robots with one start tick begin on it (simulated clocks)", no_skew},
-          {"one-commander", "coordination", "no two processes command a robot at the same time", one_commander}};
+  return {
+      {"common-start", "coordination", "robots that are commanded together are given a start tick", common_start},
+      {"no-skew", "coordination", "robots with one start tick begin on it (simulated clocks)", no_skew},
+      {"superior-command", "(11): c_0", "an ECP that takes part sees the command that the MP sends", superior_command},
+      {"one-commander", "coordination", "no two processes command a robot at the same time", one_commander}};
 }
 
 }  // namespace mrroc::cli::trace

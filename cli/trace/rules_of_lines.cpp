@@ -55,7 +55,7 @@ const SensorEntry* reading_before(const Step& step, const std::string& sensor) {
 void readings_go_on(const Step& step, Findings& findings) {
   for (const SensorEntry& sensor : step.line.sensors) {
     const SensorEntry* before = reading_before(step, sensor.name);
-    if (before != nullptr && sensor.tick < before->tick)
+    if (before != nullptr && sensor.tick < before->tick && !sensor.emptied_since(*before))
       findings.add(words("tick ", sensor.tick, " of sensor ", sensor.name), words("at least ", before->tick));
   }
 }

@@ -57,8 +57,22 @@ void sensor_values(const Step& step, Findings& findings) {
   for (const SensorEntry& sensor : step.line.sensors) {
     const auto known = step.process->sensors.find(sensor.name);
     if (known == step.process->sensors.end() || known->second.values.empty()) continue;
+    if (sensor.emptied_since(known->second)) continue;
     if (sensor.values.size() != known->second.values.size())
       findings.add(words(sensor.values.size(), " values of sensor ", sensor.name), words(known->second.values.size()));
+  }
+}
+
+void sensor_configuration(const Step& step, Findings& findings) {
+  for (const SensorEntry& sensor : step.line.sensors) {
+    if (sensor.configuration < sensor.configured)
+      findings.add(words("configuration=", sensor.configuration, " of sensor ", sensor.name),
+                   words("at least ", sensor.configured, ", that the process has set"));
+    if (step.process == nullptr) continue;
+    const auto known = step.process->sensors.find(sensor.name);
+    if (known != step.process->sensors.end() && sensor.configuration < known->second.configuration)
+      findings.add(words("configuration=", sensor.configuration, " of sensor ", sensor.name),
+                   words("at least ", known->second.configuration, ", that of the reading before"));
   }
 }
 
@@ -68,7 +82,9 @@ Rules rules_of_sensors() {
   return {{"sensor-period", "(3) (5): v(i)", "a reading is renewed every `period` steps only", sensor_period},
           {"sensor-tick", "(3) (5): v(i)", "an interactive reading that is due is not older than the robots' states",
            sensor_tick},
-          {"sensor-values", "(2): v", "a sensor has the same number of values at every reading", sensor_values}};
+          {"sensor-values", "(2): v", "a sensor has the same number of values at every reading", sensor_values},
+          {"sensor-configuration", "(14): c_l", "a reading made with an older configuration is not taken for a new one",
+           sensor_configuration}};
 }
 
 }  // namespace mrroc::cli::trace

@@ -9,6 +9,7 @@
 #include "clock/wall/wait.hpp"
 #include "config/text/message_text.hpp"
 #include "drivers/netft/http_get.hpp"
+#include "drivers/netft/lockstep_netft.hpp"
 #include "mrroc/errors.hpp"
 #include "vsp/parameters.hpp"
 
@@ -148,7 +149,8 @@ void check(const vsp::SourceContext& context) {
     vsp::refuse(entry, "calibration", "a matrix for gauge voltages beside the source 'netft'",
                 "no such key: a Net F/T gives wrenches");
   }
-  if (context.clock == nullptr || context.clock->simulated()) {
+  const bool stand_in = entry.driver && entry.driver->simulated;
+  if (context.clock == nullptr || (context.clock->simulated() && !stand_in)) {
     vsp::refuse(entry, "source", "'netft' with simulated time", "clock = \"real\" in [deployment]");
   }
 }
@@ -172,6 +174,22 @@ NetftOptions netft_options(const config::SensorEntry& entry, const config::KeyVa
   return options;
 }
 
+NetftFault fault_of(const Record& record) noexcept {
+  std::array<char, 201> text{};
+  std::snprintf(text.data(), text.size(), "the Net F/T reports status %s", status_text(record.status).c_str());
+  NetftFault fault;
+  fault.assign(text.data());
+  return fault;
+}
+
+void fill(const Calibration& calibration, const Record& record, vsp::RawReading& raw) noexcept {
+  raw.count = 6;
+  for (std::size_t i = 0; i < 6; ++i) {
+    const double factor = i < 3 ? calibration.newtons_per_count : calibration.newton_metres_per_count;
+    raw.values[i] = -factor * record.counts[i];
+  }
+}
+
 NetftSource::NetftSource(const NetftOptions& options, const clock::Clock& clock, double servo_period)
     : clock_(&clock),
       period_ns_(to_ns(servo_period)),
@@ -190,9 +208,7 @@ vsp::SourceState NetftSource::read(Tick wanted, vsp::RawReading& raw) noexcept {
   const Tick tick = tick_of(newest.arrival_ns);
   if (wanted > tick && wanted - tick > silent_after_) return vsp::SourceState::silent;
   if (!is_valid(newest.record.status)) {
-    std::array<char, 201> text{};
-    std::snprintf(text.data(), text.size(), "the Net F/T reports status %s", status_text(newest.record.status).c_str());
-    fault_.assign(text.data());
+    fault_ = fault_of(newest.record);
     return vsp::SourceState::faulty;
   }
   if (biased_ && newest.sensor_restarts > 0) {
@@ -200,16 +216,15 @@ vsp::SourceState NetftSource::read(Tick wanted, vsp::RawReading& raw) noexcept {
     return vsp::SourceState::faulty;
   }
   raw.tick = tick;
-  raw.count = 6;
-  for (std::size_t i = 0; i < 6; ++i) {
-    const double factor = i < 3 ? calibration_.newtons_per_count : calibration_.newton_metres_per_count;
-    raw.values[i] = -factor * newest.record.counts[i];
-  }
+  fill(calibration_, newest.record, raw);
   return vsp::SourceState::ready;
 }
 
 std::unique_ptr<vsp::Source> open_netft(const NetftOptions& options, const vsp::SourceContext& context) {
   check(context);
+  if (context.clock->simulated())
+    return std::make_unique<LockstepNetft>(options, read_calibration(options, context.servo_period),
+                                           context.servo_period);
   NetftOptions chosen = options;
   if (chosen.requests == Requests::automatic) {
     chosen.requests = is_force_sensor(context) ? Requests::polled : Requests::stream;

@@ -39,6 +39,12 @@ struct NetftOptions {
 /// SystemError(configuration), which names the key of `entry`, for values that contradict each other.
 NetftOptions netft_options(const config::SensorEntry& entry, const config::KeyValues& values);
 
+using NetftFault = FixedText<200>;
+/// The text of a record whose status makes its counts invalid.
+NetftFault fault_of(const Record& record) noexcept;
+/// The support forces of a record: `count` and `values` of `raw`.
+void fill(const Calibration& calibration, const Record& record, vsp::RawReading& raw) noexcept;
+
 /// An ATI Net F/T as the hardware of a sensor of the type `force_torque`: r is the wrench s with which the wrist
 /// supports the tool (N, N m), that is the negative of the load that the Net F/T measures. A reading's tick is that of
 /// its arrival on the clock's grid.
@@ -68,11 +74,12 @@ class NetftSource final : public vsp::Source {
   bool biased_;
   Calibration calibration_;
   RdtClient client_;
-  FixedText<200> fault_;
+  NetftFault fault_;
 };
 
-/// The source of a deployment's sensor. At its end it reports on stderr the records that were lost or disturbed. Throws
-/// as NetftSource, and SystemError(configuration) for a sensor whose type, clock or keys do not fit.
+/// The source of a deployment's sensor; under simulated time, with a stand-in, LockstepNetft. At its end it reports on
+/// stderr the records that were lost or disturbed. Throws as these, and SystemError(configuration) for a sensor whose
+/// type, clock or keys do not fit.
 std::unique_ptr<vsp::Source> open_netft(const NetftOptions& options, const vsp::SourceContext& context);
 
 }  // namespace mrroc::netft

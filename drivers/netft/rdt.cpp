@@ -1,6 +1,7 @@
 #include "drivers/netft/rdt.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace mrroc::netft {
@@ -127,6 +128,10 @@ Record decode_record(std::span<const std::uint8_t> packet, std::size_t index) no
     record.counts[i] = static_cast<std::int32_t>(get(all.subspan(12 + 4 * i, 4)));
   }
   return record;
+}
+
+std::uint32_t measurements_until(std::int64_t ns) noexcept {
+  return static_cast<std::uint32_t>(std::llround(static_cast<double>(ns) * 1e-9 * kMaxRate));
 }
 
 std::span<const StatusBit> status_bits() noexcept { return kStatusBits; }

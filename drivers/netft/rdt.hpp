@@ -58,6 +58,9 @@ std::size_t records_in(std::size_t size) noexcept;
 /// Record `index` of a packet; `index` < records_in(packet.size()).
 Record decode_record(std::span<const std::uint8_t> packet, std::size_t index = 0) noexcept;
 
+/// `Record::ft_sequence` at `ns` after the sensor was switched on.
+std::uint32_t measurements_until(std::int64_t ns) noexcept;
+
 /// One bit of the status word and its name in the manual, section "System Status Code", table "System Status Code Bit
 /// Assignments".
 struct StatusBit {

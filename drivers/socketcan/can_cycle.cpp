@@ -13,21 +13,19 @@ using namespace canopen;
 using can::BusError;
 
 constexpr double kBetweenStops = 0.1;  // s
+constexpr int kFramesOfFence = 10000;  // at most, before a fence: a babbling node must not stop the servo
 
 std::int64_t ns(double seconds) { return std::llround(seconds * 1e9); }
 
 }  // namespace
 
-void CanHardware::send(const can::Frame& frame) noexcept {
-  if (frame.id == 0 && frame.size == 0) return;
-  switch (bus_->send(frame)) {
-    case can::Sent::yes:
-      return;
-    case can::Sent::full:
-      return find(BusError::queue_full);
-    case can::Sent::down:
-      return find(BusError::down);
-  }
+/// False: the frame is not on the bus, which is a bus error.
+bool CanHardware::send(const can::Frame& frame) noexcept {
+  if (frame.id == 0 && frame.size == 0) return true;
+  const can::Sent sent = bus_->send(frame);
+  if (sent == can::Sent::full) find(BusError::queue_full);
+  if (sent == can::Sent::down) find(BusError::down);
+  return sent == can::Sent::yes;
 }
 
 /// CiA 301: PDOs are mapped in pre-operational, and a node may have started itself (1F80h).
@@ -51,21 +49,34 @@ void CanHardware::take_error(const can::Frame& frame) noexcept {
   if (grave) find(error);
 }
 
-/// SocketCAN does not return our own frames, so such a frame comes from another master.
+/// SocketCAN does not return our own frames, so such a frame comes from another master. Masters of other robots on the
+/// same bus have their own nodes, SYNC and heartbeat, and command their own nodes only.
 bool CanHardware::is_of_a_master(const can::Frame& frame) const noexcept {
   if (frame.remote || frame.fd) return false;
-  return frame.id == kNmt || frame.id == kSync || frame.id == kHeartbeat + table_.master ||
+  if (frame.id == kNmt) return commands_our_nodes(frame);
+  return frame.id == table_.sync || frame.id == kHeartbeat + table_.master ||
          std::any_of(drives_.begin(), drives_.end(),
                      [&frame](const Drive& drive) { return frame.id == kReceivePdo1 + drive.node(); }) ||
          std::any_of(io_.all().begin(), io_.all().end(),
                      [&frame](const IoNode& node) { return node.is_command(frame); });
 }
 
+/// Whether an NMT command is to one of the robot's nodes, to all nodes, or malformed.
+bool CanHardware::commands_our_nodes(const can::Frame& frame) const noexcept {
+  if (frame.size != 2 || frame.data[1] == 0) return true;
+  const auto meant = [&frame](const auto& node) { return node.node() == frame.data[1]; };
+  return std::any_of(drives_.begin(), drives_.end(), meant) || std::any_of(io_.all().begin(), io_.all().end(), meant);
+}
+
 void CanHardware::dispatch(const can::Frame& frame) noexcept {
   if (frame.error) return take_error(frame);
+  if (can::fence_of(frame, can::kReturnedFence) == fence_) {
+    fence_is_back_ = true;
+    return;
+  }
   bus_off_ = false;
   if (is_of_a_master(frame)) {
-    foreign_sync_ = foreign_sync_ || frame.id == kSync;  // answers may be to that SYNC
+    foreign_sync_ = foreign_sync_ || frame.id == table_.sync;  // answers may be to that SYNC
     return find(BusError::foreign_master);
   }
   for (Drive& drive : drives_)
@@ -102,6 +113,30 @@ bool CanHardware::await_all(std::int64_t deadline) noexcept {
   return true;
 }
 
+/// Takes the answers to the SYNC that has been sent.
+void CanHardware::await_answers(std::int64_t deadline) noexcept {
+  if (timing_.fenced)
+    pass_fence(false);
+  else
+    await_all(deadline);
+}
+
+/// Takes all frames that follow from those sent so far. False: the nodes have been lost.
+bool CanHardware::pass_fence(bool ends_cycle) noexcept {
+  fence_ = {table_.master, ends_cycle, fence_.number + 1};
+  fence_is_back_ = false;
+  if (!send(can::to_frame(fence_, can::kFence))) nodes_lost_ = true;
+  const std::int64_t deadline = nodes_lost_ ? 0 : clock::monotonic_ns() + ns(timing_.timeout);
+  can::Frame frame;
+  // a frame that has arrived is taken also after the deadline: this process may have been stopped meanwhile
+  for (int count = 0; count < kFramesOfFence && bus_->receive(frame, deadline); ++count) {
+    dispatch(frame);
+    if (fence_is_back_) return true;
+  }
+  nodes_lost_ = true;
+  return false;
+}
+
 void CanHardware::send_heartbeat() noexcept { send(heartbeat_frame(table_.master, NmtState::operational)); }
 
 /// A drive that has lost its set-points may still receive this: its 6007h defines its reaction.
@@ -131,8 +166,8 @@ void CanHardware::synchronise(Tick tick) noexcept {
   for (IoNode& node : io_.all()) node.expect();
   const std::int64_t tick_begin = static_cast<std::int64_t>(tick) * ns(period_);
   origin_ = std::min(origin_, clock::monotonic_ns() - tick_begin);
-  send(sync_frame());
-  await_all(clock::monotonic_ns() + timeout);
+  send(sync_frame(table_.sync));
+  await_answers(clock::monotonic_ns() + timeout);
   late_ = static_cast<double>(clock::monotonic_ns() - origin_ - tick_begin) / (period_ * 1e9);
   for (Drive& drive : drives_) drive.close_cycle();
   const bool answered =

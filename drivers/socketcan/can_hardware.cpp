@@ -34,7 +34,7 @@ CanHardware::~CanHardware() {
     drive.enable(false, tick_);
     send(drive.command({0, drive.position(), 0}));
   }
-  send(sync_frame());
+  send(sync_frame(table_.sync));
   for (Drive& drive : drives_) send(nmt_frame(NmtCommand::enter_pre_operational, drive.node()));
   for (IoNode& node : io_.all()) send(nmt_frame(NmtCommand::stop, node.node()));
 }
@@ -52,6 +52,13 @@ void CanHardware::read(Tick tick, HardwareInput& input) noexcept {
     input.fault_detail = DriverText(can::describe(bus_error_));
   }
   read_drives(tick, input);
+  // an error of the bus explains it
+  if (nodes_lost_ && (input.fault == ErrorCode::hardware_silent || graver(ErrorCode::hardware_silent, input.fault))) {
+    input.fault = ErrorCode::hardware_silent;
+    input.fault_axis = -1;
+    input.fault_detail =
+        driver_text("the simulated drives have not answered within %g s of wall time", timing_.timeout);
+  }
   io_.read(tick, input);
   input.synchronised = synchronised_;
   input.homing = Homing::none;
@@ -95,6 +102,7 @@ void CanHardware::reset_fault() noexcept {
   homing_ = -1;
   powering_ = false;
   bus_error_ = bus_off_ ? BusError::bus_off : BusError::none;
+  nodes_lost_ = false;
   for (std::size_t i = 0; i < drives_.size(); ++i) {
     can::Frame next;
     // the servo expects drives without power at the last position that it accepted
@@ -134,6 +142,8 @@ void CanHardware::write(Tick tick, const JointVector& current) noexcept {
     else
       send(drives_[i].command({current[k], position_[k], velocity_[k]}));
   }
+  // the world continues when this tick is over: by then the drives have set their currents
+  if (timing_.fenced) pass_fence(true);
 }
 
 void CanHardware::set_origin(const JointVector& shift) noexcept {

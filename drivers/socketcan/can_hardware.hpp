@@ -8,6 +8,7 @@
 
 #include "can/bus.hpp"
 #include "can/bus_error.hpp"
+#include "can/fence.hpp"
 #include "canopen/sdo_client.hpp"
 #include "drivers/socketcan/drive.hpp"
 #include "drivers/socketcan/io_nodes.hpp"
@@ -34,6 +35,9 @@ class CanHardware : public Hardware {
   struct Timing {
     double timeout;     ///< timeout for the answers to a SYNC, s of wall time
     bool real = false;  ///< ticks follow the wall clock, and positions measured after their tick are reported as late
+    /// Lockstep: the nodes are simulated and return fences, so that the content of a cycle does not depend on wall
+    /// time. `timeout` is that for a fence: after it the nodes are lost.
+    bool fenced = false;
   };
 
   /// Opens the bus; throws HardwareError or std::runtime_error.
@@ -61,8 +65,8 @@ class CanHardware : public Hardware {
   bool homes() const noexcept override { return true; }
   void home(int axis) noexcept override;
 
-  static constexpr double kPatienceWithBoot = 10;  ///< s of wall time
-  static constexpr double kPatienceWithTick = 2;   ///< s of wall time, for simulated drives in lockstep
+  static constexpr double kBootTimeout = 10;   ///< s of wall time
+  static constexpr double kFenceTimeout = 10;  ///< s of wall time, after which simulated nodes in lockstep are lost
 
  private:
   // the start; a place is a drive's axis, or the number of axes and the place of an I/O node
@@ -82,19 +86,23 @@ class CanHardware : public Hardware {
   void take_power(std::size_t axis, canopen::SdoClient& client);
   void clear_fault(std::size_t axis, canopen::SdoClient& client);
   void prepare_io_node(std::size_t place, canopen::SdoClient& client);
-  void await_answers();
+  void await_first_answers();
   bool all_answer() const noexcept;
   void begin_set_up(canopen::NodeId node, const can::Frame& first) noexcept;
-  void send(const can::Frame& frame) noexcept;
+  bool send(const can::Frame& frame) noexcept;
   void send_heartbeat() noexcept;
   void send_stops(Tick tick) noexcept;
   void find(can::BusError error) noexcept;
   void take_error(const can::Frame& frame) noexcept;
+  bool commands_our_nodes(const can::Frame& frame) const noexcept;
   bool is_of_a_master(const can::Frame& frame) const noexcept;
   void dispatch(const can::Frame& frame) noexcept;
   template <class Node>
   bool pass(const can::Frame& frame, Node& node) noexcept;
   bool await_all(std::int64_t deadline) noexcept;
+  void await_answers(std::int64_t deadline) noexcept;
+  bool pass_fence(bool ends_cycle) noexcept;
+  std::int64_t sdo_timeout() const noexcept;
   void synchronise(Tick tick) noexcept;
   void read_drives(Tick tick, HardwareInput& input) noexcept;
   [[noreturn]] void fail(ErrorCode code, std::size_t place, const std::string& what) const;
@@ -114,8 +122,11 @@ class CanHardware : public Hardware {
   std::int64_t origin_ = INT64_MAX;  ///< wall time of tick 0, ns, estimated from the SYNC with the least delay
   bool answered_ = true;             ///< by all drives, the last SYNC
   bool foreign_sync_ = false;        ///< another master's, in this cycle
-  Tick measured_ = 0;                ///< the last tick whose positions are measured and certainly its own
-  double late_ = 0;                  ///< of this cycle's last answer, servo periods after its tick
+  can::Fence fence_;                 ///< the last one sent
+  bool fence_is_back_ = false;
+  bool nodes_lost_ = false;  ///< a fence did not come back in time: none is awaited until `reset_fault`
+  Tick measured_ = 0;        ///< the last tick whose positions are measured and certainly its own
+  double late_ = 0;          ///< of this cycle's last answer, servo periods after its tick
   Tick heartbeat_ticks_ = 0;
   Tick next_heartbeat_ = 0;
   Tick next_stop_ = 0;     ///< of drives that ignore their controlword

@@ -15,8 +15,10 @@ using can::BusError;
 namespace {
 
 /// The frames of the drives and I/O nodes, and those that only their master may send.
-std::vector<can::Filter> filters_for(const std::vector<Drive>& drives, const IoNodes& io, NodeId master) {
-  std::vector<can::Filter> filters{{kNmt, 0x7ff}, {kSync, 0x7ff}, {kHeartbeat + master, 0x7ff}};
+std::vector<can::Filter> filters_for(const std::vector<Drive>& drives, const IoNodes& io,
+                                     const config::DriveTable& table) {
+  std::vector<can::Filter> filters{
+      {kNmt, 0x7ff}, {table.sync, 0x7ff}, {kHeartbeat + table.master, 0x7ff}, {can::kReturnedFence, 0x7ff}};
   for (const Drive& drive : drives)
     for (const std::uint32_t function :
          {kTransmitPdo1, kTransmitPdo1 + 0x100, kEmergency, kSdoResponse, kHeartbeat, kReceivePdo1})
@@ -26,6 +28,7 @@ std::vector<can::Filter> filters_for(const std::vector<Drive>& drives, const IoN
 }
 
 constexpr std::int64_t kBetweenResets = clock::kSecond / 2;
+constexpr double kStartTimeout = 60;  // s of wall time, for simulated nodes in lockstep to start
 constexpr int kMostBoots = 5;
 constexpr int kFirstSyncs = 50;
 
@@ -49,9 +52,14 @@ void CanHardware::fail(ErrorCode code, std::size_t place, const std::string& wha
   throw HardwareError(code, text);
 }
 
+/// In lockstep a slow machine must not change the start.
+std::int64_t CanHardware::sdo_timeout() const noexcept {
+  return timing_.fenced ? std::llround(timing_.timeout * clock::kSecond) : kSdoTimeout;
+}
+
 void CanHardware::open() {
   bus_ = open_bus_();
-  bus_->filter(filters_for(drives_, io_, table_.master));
+  bus_->filter(filters_for(drives_, io_, table_));
   await_boot();
   set_up_all();
   for (Drive& drive : drives_) {
@@ -62,7 +70,7 @@ void CanHardware::open() {
     send(nmt_frame(NmtCommand::start, node.node()));
     node.begin(0);
   }
-  await_answers();
+  await_first_answers();
   bus_error_ = BusError::none;  // from resets without acknowledgement, while drives had no power
 }
 
@@ -94,7 +102,8 @@ void CanHardware::set_up_all() {
 void CanHardware::await_boot() {
   std::vector<bool> booted(places(), false);
   const auto missing = [&booted] { return std::find(booted.begin(), booted.end(), false); };
-  const std::int64_t end = clock::monotonic_ns() + std::llround(kPatienceWithBoot * clock::kSecond);
+  const double timeout = timing_.fenced ? kStartTimeout : kBootTimeout;
+  const std::int64_t end = clock::monotonic_ns() + std::llround(timeout * clock::kSecond);
   while (missing() != booted.end()) {
     for (std::size_t i = 0; i < places(); ++i)
       if (!booted[i]) send(nmt_frame(NmtCommand::reset_communication, node_at(i)));
@@ -107,13 +116,13 @@ void CanHardware::await_boot() {
     }
     if (clock::monotonic_ns() > end && missing() != booted.end())
       fail(ErrorCode::hardware_silent, static_cast<std::size_t>(missing() - booted.begin()),
-           "no boot-up message within " + std::to_string(static_cast<int>(kPatienceWithBoot)) +
+           "no boot-up message within " + std::to_string(static_cast<int>(timeout)) +
                " s of its reset: no power, another node number or bit rate, or no wire");
   }
 }
 
 void CanHardware::set_up(std::size_t place) {
-  SdoClient client(*bus_, kSdoTimeout, [this](const can::Frame& frame) { note(frame); });
+  SdoClient client(*bus_, sdo_timeout(), [this](const can::Frame& frame) { note(frame); });
   try {
     is_drive(place) ? prepare_drive(place, client) : prepare_io_node(place, client);
   } catch (const SdoError& error) {
@@ -127,7 +136,7 @@ void CanHardware::set_up(std::size_t place) {
 void CanHardware::write_settings(std::size_t place) {
   NodeSetup& setup = setup_at(place);
   begin_set_up(node_at(place), setup.start());
-  std::int64_t deadline = clock::monotonic_ns() + kSdoTimeout;
+  std::int64_t deadline = clock::monotonic_ns() + sdo_timeout();
   bool asked_again = false;
   while (setup.status() == NodeSetup::Status::writing) {
     can::Frame frame, next;
@@ -146,7 +155,7 @@ void CanHardware::write_settings(std::size_t place) {
       continue;
     }
     send(next);
-    deadline = clock::monotonic_ns() + kSdoTimeout;
+    deadline = clock::monotonic_ns() + sdo_timeout();
   }
   if (setup.status() == NodeSetup::Status::refused)
     fail(ErrorCode::configuration, place,
@@ -162,19 +171,20 @@ bool CanHardware::all_answer() const noexcept {
 }
 
 /// Runs cycles at the servo's rate until each drive has answered and reported its switches, each I/O node its inputs.
-void CanHardware::await_answers() {
+void CanHardware::await_first_answers() {
   const std::int64_t between = std::llround(period_ * clock::kSecond);
   for (int i = 0; i < kFirstSyncs + table_.status_every; ++i) {
     for (Drive& drive : drives_) drive.expect();
     const std::int64_t next_sync = clock::monotonic_ns() + between;
-    send(sync_frame());
-    await_all(clock::monotonic_ns() + kSdoTimeout / 10);
+    send(sync_frame(table_.sync));
+    await_answers(clock::monotonic_ns() + kSdoTimeout / 10);
     if (all_answer()) {
       for (Drive& drive : drives_) drive.close_cycle();
       return;
     }
+    if (nodes_lost_) break;
     can::Frame frame;
-    while (clock::monotonic_ns() < next_sync && bus_->receive(frame, next_sync)) dispatch(frame);
+    while (!timing_.fenced && clock::monotonic_ns() < next_sync && bus_->receive(frame, next_sync)) dispatch(frame);
   }
   for (std::size_t i = 0; i < places(); ++i) {
     if (!is_drive(i)) {

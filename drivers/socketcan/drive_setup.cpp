@@ -58,6 +58,7 @@ std::vector<config::NodeSetting> drive_settings(const config::DriveTable& table,
   list.add_pdo(kTransmitPdoParameters + 1, kTransmitPdoMapping + 1, kTransmitPdo1 + 0x100 + drive.node,
                static_cast<std::uint8_t>(table.status_every), pdos.status);
   list.switch_off_pdos_from(kTransmitPdoParameters + 2);
+  list.add_sync(table.sync);
   list.add_heartbeats(table.master, table.heartbeat);
   list.add_known(kCyclePeriod, std::llround(period * 1e6), 4);
   const auto [number, exponent] = period_of(table, period);

@@ -41,7 +41,7 @@ void CanHardware::check_modes(std::size_t axis, SdoClient& client) const {
 
 /// The drive's state, a moment after the last check.
 DriveState CanHardware::read_state(std::size_t axis, SdoClient& client) {
-  send(sync_frame());  // simulated drives may advance only with it
+  send(sync_frame(table_.sync));  // simulated drives may advance only with it
   can::Frame frame;
   const std::int64_t next_look = clock::monotonic_ns() + kBetweenLooks;
   while (clock::monotonic_ns() < next_look && bus_->receive(frame, next_look)) note(frame);

@@ -49,6 +49,29 @@ std::int64_t counts_of(double part_of_range) noexcept {
   return std::isfinite(part_of_range) ? std::llround(std::clamp(part_of_range * kEnd, kLeast, kEnd)) : 0;
 }
 
+bool read_digital(const can::Frame& frame, const PdoMapping& mapping, std::uint16_t object,
+                  const config::TerminalRange& range, ControllerIo& io) noexcept {
+  if (frame.fd || frame.size < mapping.size()) return false;
+  for (int i = 0; i < range.count; ++i) {
+    std::int64_t block = 0;
+    if (!mapping.read(frame, part(object, i / kBlock), false, block)) return false;
+    io.set(range.first + i, (block >> (i % kBlock) & 1) != 0);
+  }
+  return true;
+}
+
+bool read_analog(const can::Frame& frame, int number, const PdoMapping& mapping, std::uint16_t object,
+                 const config::AnalogTerminals& range, ControllerIo& io) noexcept {
+  if (frame.fd || frame.size < mapping.size()) return false;
+  const AnalogPart values(number, range.count);
+  for (int i = values.first; i < values.first + values.count; ++i) {
+    std::int64_t counts = 0;
+    if (!mapping.read(frame, part(object, i), true, counts)) return false;
+    io.analog[terminal(range, i)] = static_cast<double>(counts) / kEnd * range.range;
+  }
+  return true;
+}
+
 }  // namespace
 
 IoPdos::IoPdos(const config::IoEntry& entry)
@@ -61,27 +84,13 @@ IoPdos::IoPdos(const config::IoEntry& entry)
       receive_(mappings(kWriteOutputs, entry.digital_outputs.count, kWriteAnalogOutputs, entry.analog_outputs.count)) {}
 
 bool IoPdos::read(const can::Frame& frame, int number, ControllerIo& inputs) const noexcept {
-  if (frame.fd || frame.size < transmit(number).size()) return false;
-  return number == 1 ? read_digital(frame, inputs) : read_analog(frame, number, inputs);
+  if (number == 1) return read_digital(frame, transmit(1), kReadInputs, digital_inputs_, inputs);
+  return read_analog(frame, number, transmit(number), kReadAnalogInputs, analog_inputs_, inputs);
 }
 
-bool IoPdos::read_digital(const can::Frame& frame, ControllerIo& inputs) const noexcept {
-  for (int i = 0; i < digital_inputs_.count; ++i) {
-    std::int64_t block = 0;
-    if (!transmit(1).read(frame, part(kReadInputs, i / kBlock), false, block)) return false;
-    inputs.set(digital_inputs_.first + i, (block >> (i % kBlock) & 1) != 0);
-  }
-  return true;
-}
-
-bool IoPdos::read_analog(const can::Frame& frame, int number, ControllerIo& inputs) const noexcept {
-  const AnalogPart values(number, analog_inputs_.count);
-  for (int i = values.first; i < values.first + values.count; ++i) {
-    std::int64_t counts = 0;
-    if (!transmit(number).read(frame, part(kReadAnalogInputs, i), true, counts)) return false;
-    inputs.analog[terminal(analog_inputs_, i)] = static_cast<double>(counts) / kEnd * analog_inputs_.range;
-  }
-  return true;
+bool IoPdos::read_outputs(const can::Frame& frame, int number, ControllerIo& outputs) const noexcept {
+  if (number == 1) return read_digital(frame, receive(1), kWriteOutputs, digital_outputs_, outputs);
+  return read_analog(frame, number, receive(number), kWriteAnalogOutputs, analog_outputs_, outputs);
 }
 
 can::Frame IoPdos::write(int number, const ControllerIo& outputs) const noexcept {

@@ -27,6 +27,8 @@ class IoPdos {
   /// Writes the inputs of TPDO `number` into the node's terminals of `inputs`. False: the frame is too short, nothing
   /// is written.
   bool read(const can::Frame& frame, int number, ControllerIo& inputs) const noexcept;
+  /// The same with the outputs of RPDO `number`, for a listener on the bus.
+  bool read_outputs(const can::Frame& frame, int number, ControllerIo& outputs) const noexcept;
   /// The data of RPDO `number` for the node's terminals of `outputs`; analogue values beyond the range become its end.
   can::Frame write(int number, const ControllerIo& outputs) const noexcept;
   /// Copies the values of the node's inputs.
@@ -34,8 +36,6 @@ class IoPdos {
 
  private:
   static std::size_t index(int number) noexcept { return static_cast<std::size_t>(number - 1); }
-  bool read_digital(const can::Frame& frame, ControllerIo& inputs) const noexcept;
-  bool read_analog(const can::Frame& frame, int number, ControllerIo& inputs) const noexcept;
 
   canopen::NodeId node_;
   config::TerminalRange digital_inputs_, digital_outputs_;

@@ -49,6 +49,7 @@ void add_error_values(SettingList& list, const config::IoEntry& node) {
 std::vector<config::NodeSetting> io_settings(const config::IoEntry& node, const config::DriveTable& drives) {
   SettingList list(node.node, node.eds, node.settings);
   add_pdos(list, node, drives.status_every);
+  list.add_sync(drives.sync);
   list.add_heartbeats(drives.master, drives.heartbeat);
   if (node.analog_inputs.count > 0) list.add_known(kAnalogInterruptEnable, 1, 1);
   add_error_values(list, node);

@@ -48,6 +48,10 @@ void SettingList::switch_off_pdos_from(std::uint16_t first) {
   }
 }
 
+void SettingList::add_sync(std::uint32_t identifier) {
+  if (identifier != kSync) add(kSyncIdentifier, identifier, 4);
+}
+
 void SettingList::add_heartbeats(NodeId master, double period) {
   const auto milliseconds = static_cast<std::int64_t>(std::lround(period * 1e3));
   add(kConsumerHeartbeat, static_cast<std::int64_t>(master) << 16 | kMissedHeartbeats * milliseconds, 4);

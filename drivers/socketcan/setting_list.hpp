@@ -33,6 +33,8 @@ class SettingList {
   /// Switches off the PDOs from the one with these parameters on that the node sends on its own according to its EDS
   /// file: they only fill the bus.
   void switch_off_pdos_from(std::uint16_t first);
+  /// The SYNC that the node takes; nothing for the predefined one, which every node has.
+  void add_sync(std::uint32_t identifier);
   /// The heartbeat of `master` to watch, and the node's own; `period` in s.
   void add_heartbeats(canopen::NodeId master, double period);
 

@@ -9,7 +9,7 @@ namespace {
 
 using namespace mrroc;
 
-constexpr std::int64_t kBusTimeout = 10 * clock::kSecond, kBetweenAttempts = clock::kSecond / 50;
+constexpr std::int64_t kBusTimeout = 60 * clock::kSecond, kBetweenAttempts = clock::kSecond / 50;
 
 /// The simulated drives may not have made the hub's socket yet.
 std::unique_ptr<can::Bus> open_bus(const std::string& name) {
@@ -32,7 +32,7 @@ std::unique_ptr<edp::Hardware> make(const edp::DriverContext& context) {
   config::DriveTable table = config::read_drive_table(can.drives, parameters);
   config::IoTable io;
   if (!can.io.empty()) io = config::read_io_table(can.io, table);
-  const auto timing = context.simulated_time ? CanHardware::Timing{CanHardware::kPatienceWithTick}
+  const auto timing = context.simulated_time ? CanHardware::Timing{CanHardware::kFenceTimeout, false, true}
                                              : CanHardware::Timing{table.answer_time * context.servo_period, true};
   return std::make_unique<CanHardware>(
       std::move(table), parameters, context.servo_period, [name = can.interface] { return open_bus(name); }, timing,

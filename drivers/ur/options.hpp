@@ -17,8 +17,11 @@ struct UrOptions {
   double timeout = 2;         ///< s, to connect and to get an answer
   double start_timeout = 60;  ///< s, until the robot has power, its brakes are released and the program runs
   double open_timeout = 0;    ///< s, for which `open` tries again: a simulated controller starts at the same time
-  int missed_max = 10;        ///< controller periods without a package; more: the controller is silent
-  int registers = 24;         ///< first of the input and output registers, 12 of real numbers and 3 of integers
+  /// The controller is a stand-in that takes part in lockstep: each servo tick waits for its package, and the stand-in
+  /// for the tick's set-points.
+  bool lockstep = false;
+  int missed_max = 10;  ///< controller periods without a package; more: the controller is silent
+  int registers = 24;   ///< first of the input and output registers, 12 of real numbers and 3 of integers
 
   std::filesystem::path script;    ///< of the control script; empty: the installed one
   double watchdog = 0.1;           ///< s without set-points, after which the control script stops the robot

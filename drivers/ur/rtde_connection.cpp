@@ -13,7 +13,6 @@ namespace {
 using rtde::PacketBuffer;
 using rtde::PacketType;
 
-constexpr double kFrequency = 500, kFrequencyOfCb3 = 125;
 constexpr std::size_t kQueue = 4096;
 
 /// The greatest fraction of a controller's own frequency whose period is not below `shortest`, s.
@@ -49,8 +48,7 @@ void RtdeConnection::open(const std::vector<std::string>& outputs) {
     if (!is_accepted(PacketType::request_protocol_version, rtde::VersionRequest{}.payload()))
       throw rtde::ProtocolError("the controller refuses protocol version 2, its software must be 3.3 or newer");
     version_ = rtde::ControllerVersion::from_payload(ask(PacketType::get_urcontrol_version, {}).payload);
-    const double greatest = rtde::is_e_series(version_) ? kFrequency : kFrequencyOfCb3;
-    frequency_ = options_.frequency == 0 ? fraction(greatest, options_.shortest) : options_.frequency;
+    frequency_ = options_.frequency == 0 ? fraction(own_frequency(), options_.shortest) : options_.frequency;
     const rtde::OutputsRequest request{frequency_, outputs};
     recipe_ = rtde::accepted_recipe(
         rtde::SetupReply::from_payload(ask(PacketType::setup_outputs, request.payload()).payload), outputs);

@@ -65,9 +65,13 @@ class RtdeConnection {
 
   // after `open`
   double frequency() const noexcept { return frequency_; }  ///< Hz, of the data packages
+  /// Hz, of the controller's own periods.
+  double own_frequency() const noexcept { return rtde::is_e_series(version_) ? kFrequency : kFrequencyOfCb3; }
   const rtde::ControllerVersion& version() const noexcept { return version_; }
 
  private:
+  static constexpr double kFrequency = 500, kFrequencyOfCb3 = 125;
+
   template <class Action>
   auto agree(Action action);
   rtde::Packet ask(rtde::PacketType type, const std::vector<std::uint8_t>& payload);

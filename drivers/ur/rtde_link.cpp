@@ -11,7 +11,9 @@
 #include <cstring>
 #include <system_error>
 
+#include "clock/wall/sliced_wait.hpp"
 #include "clock/wall/wait.hpp"
+#include "drivers/ur/lockstep.hpp"
 
 namespace mrroc::ur {
 namespace {
@@ -35,6 +37,7 @@ std::int64_t after(double seconds) { return clock::monotonic_ns() + std::llround
 
 RtdeLink::RtdeLink(const UrOptions& options, double servo_period)
     : options_(options),
+      servo_period_(servo_period),
       connection_({options.address, options.rtde_port, options.frequency, options.timeout, servo_period}) {
   for (int* const each : {&wake_, &received_})
     if ((*each = ::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) < 0)
@@ -53,7 +56,7 @@ void RtdeLink::open() {
   if (thread_.joinable()) return;  // it is open
   connect_in_time();
   const std::int64_t deadline = after(options_.timeout);
-  while (packages_.load(std::memory_order_relaxed) == 0) {
+  while (packages_.load(std::memory_order_relaxed) == 0 && !options_.lockstep) {
     if (!connection_.wait_readable(deadline)) throw ConnectionError(connection_.name() + ": no data package");
     receive();
     if (!connection_.is_open()) throw ConnectionError(connection_.reason());
@@ -86,6 +89,8 @@ void RtdeLink::connect() {
     throw;
   }
   frequency_.store(connection_.frequency(), std::memory_order_relaxed);
+  const double own = options_.lockstep ? 1 / servo_period_ : connection_.own_frequency();
+  program_frequency_.store(own, std::memory_order_relaxed);
   clock_.start(1 / frequency());
   last_received_ = clock::monotonic_ns();
   outputs_.reset();
@@ -101,6 +106,7 @@ void RtdeLink::lose(const std::string& reason) noexcept {
   connection_.close(reason);
   report(reason);
   up_.store(false, std::memory_order_release);
+  if (options_.lockstep) signal(received_);  // the servo waits without end of its own
 }
 
 void RtdeLink::report(const std::string& reason) noexcept {
@@ -110,11 +116,12 @@ void RtdeLink::report(const std::string& reason) noexcept {
 
 void RtdeLink::run() noexcept {
   while (!end_.load(std::memory_order_acquire)) {
-    if (!connection_.is_open()) reconnect();
+    if (!connection_.is_open() && !options_.lockstep) reconnect();
     poll();
     if (!connection_.is_open()) continue;
     transmit();
     receive();
+    if (options_.lockstep) continue;
     if (connection_.is_open() && clock::monotonic_ns() - last_received_ > std::llround(options_.timeout * 1e9))
       lose(connection_.name() + ": no data package");
   }
@@ -147,6 +154,16 @@ bool RtdeLink::wait(std::int64_t deadline) noexcept {
   if (!clock::wait_for(received_, POLLIN, deadline)) return false;
   clear(received_);
   return true;
+}
+
+const RobotState* RtdeLink::await(Tick tick) noexcept {
+  const Tick due = tick - tick % package_ticks(frequency(), servo_period_);
+  for (;;) {
+    const RobotState* const state = newest();
+    if (state != nullptr && tick_of_package(state->timestamp, servo_period_) >= due) return state;
+    const auto wait_until = [this](std::int64_t deadline) { return wait(deadline); };
+    if (!is_up() || !clock::wait_in_slices(kLockstepTimeout, wait_until)) return nullptr;
+  }
 }
 
 void RtdeLink::receive() noexcept {

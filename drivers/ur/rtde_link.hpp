@@ -15,6 +15,7 @@
 #include "drivers/ur/rtde_connection.hpp"
 #include "edp/robot_clock.hpp"
 #include "edp/safety/fault.hpp"
+#include "mrroc/types.hpp"
 
 namespace mrroc::ur {
 
@@ -29,6 +30,9 @@ struct LinkCounters : edp::BeatCounters {
 /// recipes, receives the robot's states and sends set-points. It connects again when the connection is lost, when the
 /// stream is not RTDE, or when no package has come for the timeout. Both directions are handed over lock-free: the
 /// servo thread never waits for it. The thread has the scheduling class of the thread that calls `open`.
+///
+/// In lockstep the servo waits for the package of each tick (`await`), there is no timeout of packages, and a lost
+/// connection stays lost.
 class RtdeLink {
  public:
   /// Copies the options; they must be valid. Without a frequency among them packages come once in `servo_period` (s) at
@@ -38,13 +42,16 @@ class RtdeLink {
   RtdeLink(const RtdeLink&) = delete;
   RtdeLink& operator=(const RtdeLink&) = delete;
 
-  /// Connects, and returns when the first package has come. Main thread. Throws ConnectionError that names address,
-  /// port and problem: no connection, no answer, protocol version, refused fields.
+  /// Connects, and returns when the first package has come; in lockstep it comes in tick 0. Main thread. Throws
+  /// ConnectionError that names address, port and problem: no connection, no answer, protocol version, refused fields.
   void open();
 
   /// Waits until packages have come since the last call; false: none before `deadline` (CLOCK_MONOTONIC, ns). Servo
   /// thread.
   bool wait(std::int64_t deadline) noexcept;
+  /// Lockstep: the state of tick `tick`, or of the newest tick before it that has a package, as soon as it has come.
+  /// Null: the connection is lost, or nothing has come within kLockstepTimeout. Servo thread.
+  const RobotState* await(Tick tick) noexcept;
   /// The newest state; null before the first. Servo thread.
   const RobotState* newest() noexcept { return for_servo_.load(); }
   /// The same for one other thread.
@@ -61,6 +68,9 @@ class RtdeLink {
   LinkCounters counters() const noexcept;
   /// Hz, of the packages. After `open`. Any thread.
   double frequency() const noexcept { return frequency_.load(std::memory_order_relaxed); }
+  /// Hz, of the periods in which the controller executes its program; in lockstep those of the servo. After `open`. Any
+  /// thread.
+  double program_frequency() const noexcept { return program_frequency_.load(std::memory_order_relaxed); }
 
  private:
   void connect();
@@ -75,7 +85,8 @@ class RtdeLink {
   void report(const std::string& reason) noexcept;
 
   const UrOptions options_;
-  std::atomic<double> frequency_{0};
+  const double servo_period_;
+  std::atomic<double> frequency_{0}, program_frequency_{0};
   RtdeConnection connection_;
   RtdeConnection::Input set_points_, terminals_, slider_;
   clock::PackageClock clock_;

@@ -1,4 +1,5 @@
 #include "drivers/ur/driver_keys.hpp"
+#include "drivers/ur/lockstep.hpp"
 #include "drivers/ur/ur_hardware.hpp"
 #include "edp/driver.hpp"
 
@@ -14,6 +15,10 @@ std::unique_ptr<edp::Hardware> make(const edp::DriverContext& context) {
   options.payload_mass = context.robot.load.mass;
   Eigen::Map<Eigen::Vector3d>(options.payload_centre.data()) = context.robot.load.centre;
   if (driver.simulated) options.open_timeout = kStandInTimeout;
+  if (context.simulated_time) {
+    options.lockstep = true;
+    options.timeout = ur::kLockstepAnswerTimeout;
+  }
   return std::make_unique<ur::UrHardware>(options, context.model, context.servo_period);
 }
 

@@ -7,6 +7,9 @@
 
 #include "clock/wall/monotonic.hpp"
 #include "drivers/ur/control_script.hpp"
+#include "drivers/ur/lockstep.hpp"
+#include "drivers/ur/lockstep_start.hpp"
+#include "drivers/ur/threaded_start.hpp"
 
 namespace mrroc::ur {
 namespace {
@@ -44,6 +47,11 @@ std::string script_of(const UrOptions& options) {
   }
 }
 
+std::unique_ptr<RobotStart> make_start(const UrOptions& options, RtdeLink& link) {
+  if (options.lockstep) return std::make_unique<LockstepStart>(options, link, script_of(options));
+  return std::make_unique<ThreadedStart>(options, link, script_of(options));
+}
+
 ControlMode mode_of(DriveParameters::Interface interface) noexcept {
   return interface == DriveParameters::Interface::velocity ? ControlMode::velocity : ControlMode::position;
 }
@@ -65,7 +73,7 @@ UrHardware::UrHardware(const UrOptions& options, const RobotModel& model, double
       drives_(model.parameters().drives),
       mode_(mode_of(drives_.interface)),
       link_(options_, period),
-      start_(options_, link_, script_of(options_)) {
+      start_(make_start(options_, link_)) {
   position_ = velocity_ = origin_ = JointVector::Zero(kAxes);
 }
 
@@ -89,14 +97,14 @@ void UrHardware::enable(bool on) noexcept {
   }
   phase_ = Phase::starting;
   failure_ = {};
-  start_.request();
+  start_->request();
 }
 
 void UrHardware::reset_fault() noexcept {
   wanted_ = false;
   phase_ = Phase::starting;
   failure_ = {};
-  start_.request();
+  start_->request();
 }
 
 bool UrHardware::busy() const noexcept {
@@ -106,21 +114,14 @@ bool UrHardware::busy() const noexcept {
 bool UrHardware::follows() const noexcept {
   const ScriptState wanted =
       mode_ == ControlMode::position ? ScriptState::following_position : ScriptState::following_velocity;
-  return state_.script == wanted && state_.script_program == start_.program();
+  return state_.script == wanted && state_.script_program == start_->program();
 }
 
 /// The edges of Phase that the robot causes.
 void UrHardware::advance() noexcept {
-  if (phase_ == Phase::starting && !start_.is_running()) {
-    failure_ = start_.failure();
-    if (code_of(failure_) != ErrorCode::none) {
-      phase_ = Phase::failed;
-    } else {
-      phase_ = wanted_ ? Phase::engaging : Phase::off;
-      phase_begin_ = now_;
-      held_ = state_.position;
-    }
-  }
+  if (phase_ == Phase::starting && start_->is_running() && !lost_) start_->take(state_);
+  if (phase_ == Phase::starting && !start_->is_running()) end_start();
+  if (lost_ && busy()) phase_ = Phase::failed;
   const bool expired = static_cast<double>(now_ - phase_begin_) * period_ > kConfirmTime;
   if (phase_ == Phase::engaging) {
     if (follows()) {
@@ -131,22 +132,56 @@ void UrHardware::advance() noexcept {
     }
   }
   // a stop that is not confirmed is that of the watchdog, or of the controller itself
-  const bool runs = code_of(following_fault(state_, start_.program())) == ErrorCode::none;
+  const bool runs = code_of(following_fault(state_, start_->program())) == ErrorCode::none;
   if (phase_ == Phase::stopping && (state_.script == ScriptState::holding || !runs || expired)) phase_ = Phase::off;
+}
+
+void UrHardware::end_start() noexcept {
+  failure_ = start_->failure();
+  if (code_of(failure_) != ErrorCode::none) {
+    phase_ = Phase::failed;
+    return;
+  }
+  phase_ = wanted_ ? Phase::engaging : Phase::off;
+  phase_begin_ = now_;
+  held_ = state_.position;
+}
+
+/// Lockstep: the package of this tick.
+void UrHardware::await(Tick tick) noexcept {
+  if (lost_) return;
+  const RobotState* const state = link_.await(tick);
+  lost_ = state == nullptr;
+  if (lost_ || (has_state_ && state->number == state_.number)) return;
+  state_ = *state;
+  has_state_ = fresh_ = true;
+}
+
+/// The packages that have not come; monostate: they have.
+UrFault UrHardware::silence(Tick tick) const noexcept {
+  if (options_.lockstep) {
+    if (!lost_) return {};
+    return SilentController{
+        0, edp::driver_text("the simulated controller has not sent its package within %lld s of wall time",
+                            static_cast<long long>(kLockstepTimeout / clock::kSecond))};
+  }
+  const auto periods = static_cast<double>(tick - received_) * period_ * link_.frequency();
+  const auto age = static_cast<double>(clock::monotonic_ns() - state_.received) * 1e-9 * link_.frequency();
+  // a servo that catches up executes ticks faster than packages come
+  if (std::min(periods, age) <= options_.missed_max) return {};
+  return SilentController{static_cast<std::uint64_t>(age), {}};
 }
 
 /// While the robot is made ready, only RobotStart judges its state.
 UrFault UrHardware::find_fault(Tick tick) const noexcept {
   if (phase_ == Phase::starting) return {};
-  const auto periods = static_cast<double>(tick - received_) * period_ * link_.frequency();
-  const auto age = static_cast<double>(clock::monotonic_ns() - state_.received) * 1e-9 * link_.frequency();
-  // a servo that catches up executes ticks faster than packages come
-  if (std::min(periods, age) > options_.missed_max) return SilentController{static_cast<std::uint64_t>(age), {}};
+  const UrFault silent = silence(tick);
+  if (code_of(silent) != ErrorCode::none) return silent;
   const UrFault unsafe = safety_fault(state_);
   if (code_of(unsafe) != ErrorCode::none) return unsafe;
   if (phase_ == Phase::failed) return failure_;
   if (phase_ == Phase::off || phase_ == Phase::stopping) return {};
-  return following_fault(state_, start_.program());
+  return following_fault(state_, start_->program());
 }
 
 bool UrHardware::wait(std::int64_t deadline, edp::Beat& beat) noexcept {
@@ -160,11 +195,13 @@ bool UrHardware::wait(std::int64_t deadline, edp::Beat& beat) noexcept {
 
 void UrHardware::read(Tick tick, edp::HardwareInput& input) noexcept {
   now_ = tick;
+  if (options_.lockstep) await(tick);
   if (!has_state_) {
     input.fault = ErrorCode::hardware_silent;
     return;
   }
   if (std::exchange(fresh_, false)) received_ = tick;
+  if (options_.lockstep) input.time = static_cast<double>(received_);
   advance();
   const JointVector joints = as_joints(state_.position);
   JointVector motors(kAxes);
@@ -191,8 +228,10 @@ void UrHardware::set_points(const JointVector& position, const JointVector& velo
   velocity_ = velocity;
 }
 
-void UrHardware::write(Tick, const JointVector&) noexcept {
-  command_.sequence = static_cast<std::int32_t>(static_cast<std::uint32_t>(command_.sequence) + 1);
+void UrHardware::write(Tick tick, const JointVector&) noexcept {
+  const auto before =
+      options_.lockstep ? static_cast<std::uint32_t>(tick) : static_cast<std::uint32_t>(command_.sequence);
+  command_.sequence = static_cast<std::int32_t>(before + 1);
   const bool commands = phase_ == Phase::engaging || phase_ == Phase::following;
   command_.mode = commands ? mode_ : ControlMode::hold;
   if (phase_ == Phase::following) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+
 #include "drivers/ur/command.hpp"
 #include "drivers/ur/options.hpp"
 #include "drivers/ur/robot_start.hpp"
@@ -13,7 +15,7 @@ namespace mrroc::ur {
 /// of its joints:
 ///
 ///   RtdeLink    its thread receives the robot's state and sends set-points (RTDE),
-///   RobotStart  its thread makes the robot ready (dashboard server, control script),
+///   RobotStart  in real time a thread of its own, makes the robot ready (dashboard server, control script),
 ///
 /// and this class, in the servo thread, exchanges values with both, lock-free. The interface of the drives in the
 /// robot's parameters, position or velocity, selects servoj or speedj. With velocity the set-point r of the positions
@@ -22,6 +24,10 @@ namespace mrroc::ur {
 /// Positions are the joint angles of the controller; the model converts them to shafts. They are absolute. The
 /// controller keeps the time: the servo ticks with its packages (RobotClock), and sends one set-point for each. In a
 /// tick without a new package the positions are repeated.
+///
+/// In lockstep with a stand-in the deployment keeps the time: `read` waits for the package of its tick, and the number
+/// of the set-points that `write` sends is that of the tick, plus 1. A stand-in that sends nothing for
+/// kLockstepTimeout, or has ended, is the fault `hardware_silent`, until the end of the run.
 ///
 /// `enable(true)` makes the robot ready: it releases a protective stop, switches power on, releases the brakes and
 /// starts the control script, which takes seconds. `enable(false)` stops the motion; the controller holds the arm, with
@@ -39,7 +45,7 @@ class UrHardware : public edp::Hardware, private edp::RobotClock {
   void enable(bool on) noexcept override;
   void reset_fault() noexcept override;
   bool busy() const noexcept override;
-  edp::RobotClock* clock() noexcept override { return this; }
+  edp::RobotClock* clock() noexcept override { return options_.lockstep ? nullptr : this; }
   void read(Tick tick, edp::HardwareInput& input) noexcept override;
   void set_points(const JointVector& position, const JointVector& velocity) noexcept override;
   void write(Tick tick, const JointVector& current) noexcept override;
@@ -65,7 +71,10 @@ class UrHardware : public edp::Hardware, private edp::RobotClock {
   bool wait(std::int64_t deadline, edp::Beat& beat) noexcept override;
   edp::BeatCounters counters() const noexcept override { return link_.counters(); }
 
+  void await(Tick tick) noexcept;
   void advance() noexcept;
+  void end_start() noexcept;
+  UrFault silence(Tick tick) const noexcept;
   UrFault find_fault(Tick tick) const noexcept;
   bool follows() const noexcept;
 
@@ -75,10 +84,11 @@ class UrHardware : public edp::Hardware, private edp::RobotClock {
   const DriveParameters drives_;
   const ControlMode mode_;
   RtdeLink link_;
-  RobotStart start_;
+  const std::unique_ptr<RobotStart> start_;
   RobotState state_;
   bool has_state_ = false;
   bool fresh_ = false;  ///< no tick has read it yet
+  bool lost_ = false;   ///< in lockstep: the stand-in has ended, or does not answer
   Phase phase_ = Phase::off;
   bool wanted_ = false;  ///< by the servo: power
   UrFault failure_;

@@ -23,9 +23,22 @@ Macrostep::Kind kind_of(CommandKind change) noexcept {
       return Macrostep::Kind::regulators;
     case CommandKind::bias_force:
       return Macrostep::Kind::bias;
+    case CommandKind::carry:
+      return Macrostep::Kind::carry;
     default:
       return Macrostep::Kind::synchronise;
   }
+}
+
+/// What is executed of a late command of a robot that has braked in step with others: nothing, so that it stays in
+/// step.
+RobotCommand hold_instead_of(const RobotCommand& command) noexcept {
+  RobotCommand hold;
+  hold.kind = CommandKind::hold;
+  hold.motion_steps = command.motion_steps;
+  hold.reply_step = command.reply_step;
+  hold.start_tick = command.start_tick;
+  return hold;
 }
 
 }  // namespace
@@ -157,11 +170,13 @@ ErrorReport Effector::hand_over(Outstanding& entry) noexcept {
   if (is_change(command.kind)) {
     macrostep_.kind = kind_of(command.kind);
     macrostep_.choice = command.choice;
+    if (mount_) macrostep_.load = {command.load.mass, mount_->inverse() * (tool_ * command.load.centre)};
     macrostep_.steps = macrostep_.reply_step = 1;
     macrostep_.from = macrostep_.to = from;
   } else {
     const Pace pace = entry.late || entry.after_force ? Pace::stretched : Pace::as_commanded;
-    const ErrorReport error = planner_.plan(command, from, pace, macrostep_);
+    const bool in_step = entry.late && command.stop.ticks > 0;
+    const ErrorReport error = planner_.plan(in_step ? hold_instead_of(command) : command, from, pace, macrostep_);
     if (bad(error)) return error;
   }
   if (moves && macrostep_.steps > command.motion_steps) ++counters_.stretched;

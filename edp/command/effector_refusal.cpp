@@ -8,6 +8,18 @@
 
 namespace mrroc::edp {
 
+namespace {
+
+// beyond them a unit is wrong
+constexpr double kMostLoad = 1000;        // kg
+constexpr double kMostLoadDistance = 10;  // m
+
+bool is_possible(const Load& load) noexcept {
+  return load.mass >= 0 && load.mass <= kMostLoad && load.centre.norm() <= kMostLoadDistance;
+}
+
+}  // namespace
+
 ErrorReport Effector::refusal(const RobotCommand& command) const noexcept {
   if (snapshot_->fault.code != ErrorCode::none) return make_report(snapshot_->fault, models_.parameters());
   if (!snapshot_->enabled())
@@ -19,6 +31,11 @@ ErrorReport Effector::refusal(const RobotCommand& command) const noexcept {
                        static_cast<unsigned long long>(command.start_tick),
                        static_cast<unsigned long long>(snapshot_->tick) + kMaxMotionSteps);
   if (is_change(command.kind)) return refusal_of_change(command);
+  if (command.stop.ticks > kMaxMotionSteps)
+    return make_report(ErrorClass::non_fatal, ErrorCode::invalid_argument, "a stop of %d ticks, expected 0..%d",
+                       int{command.stop.ticks}, int{kMaxMotionSteps});
+  if (!std::isfinite(command.stop.rate))
+    return make_report(ErrorClass::non_fatal, ErrorCode::not_finite, "rate of the stop is %g", command.stop.rate);
   if (command.with_outputs)
     if (const ErrorReport report = refusal_of_outputs(command.outputs); bad(report)) return report;
   if (command.kind == CommandKind::force && !mount_)
@@ -75,6 +92,15 @@ ErrorReport Effector::refusal_of_change(const RobotCommand& command) const noexc
       if (!mount_)
         return make_report(ErrorClass::non_fatal, ErrorCode::invalid_argument,
                            "the robot has no force_sensor in the deployment");
+      return {};
+    case CommandKind::carry:
+      if (!mount_)
+        return make_report(ErrorClass::non_fatal, ErrorCode::invalid_argument,
+                           "the robot has no force_sensor in the deployment");
+      if (!is_possible(command.load))
+        return make_report(ErrorClass::non_fatal, ErrorCode::invalid_argument,
+                           "a load of %g kg at %g m, expected 0 to %g kg within %g m of the tool frame",
+                           command.load.mass, command.load.centre.norm(), kMostLoad, kMostLoadDistance);
       return {};
     default:
       return make_report(ErrorClass::non_fatal, ErrorCode::invalid_argument, "kind %d is unknown",

@@ -3,6 +3,8 @@
 #include "edp/command/force_target.hpp"
 #include "geometry/desired_state.hpp"
 #include "language/macrostep/macrostep_path.hpp"
+#include "mrroc/common_stop.hpp"
+#include "mrroc/load.hpp"
 #include "mrroc/signals.hpp"
 
 namespace mrroc::edp {
@@ -19,6 +21,7 @@ struct Macrostep {
     model,       ///< at rest: from its start on the servo uses model `choice`
     regulators,  ///< at rest: from its start on the regulators are those of set `choice`
     bias,        ///< at rest: the present reading of the force sensor becomes zero
+    carry,       ///< at rest: the tool carries `load`
     synchronise  ///< as long as it takes; then with the robot's first model
   };
   Kind kind = Kind::path;
@@ -30,7 +33,9 @@ struct Macrostep {
   DesiredState from;
   DesiredState to;
   MacrostepPath path;
+  CommonStop stop;  ///< without a successor; ticks is 0: the robot's Stop
   ForceTarget force;
+  Load load;                ///< of `carry`, in the sensor frame
   std::uint8_t choice = 0;  ///< index in the ModelSet or of the regulator set
   bool with_outputs = false;
   ControllerIo outputs;  ///< from its start on, where `with_outputs`

@@ -25,6 +25,7 @@ void Planner::use(const ToolKinematics& kinematics) noexcept {
 ErrorReport Planner::plan(const RobotCommand& command, const DesiredState& from, Pace pace,
                           Macrostep& macrostep) noexcept {
   const int steps = command.motion_steps;
+  macrostep.stop = {};
   if (steps < 1 || steps > kMaxMotionSteps)
     return make_report(ErrorClass::non_fatal, ErrorCode::invalid_motion_steps, "N = %d, expected 1..%d", steps,
                        int{kMaxMotionSteps});
@@ -51,10 +52,17 @@ ErrorReport Planner::plan(const RobotCommand& command, const DesiredState& from,
     if (bad(report) && pace == Pace::stretched && !goal_.wants_velocity)
       report = stretch(command.interpolation, report, macrostep);
     if (bad(report)) return report;
+    macrostep.stop = common_stop(command.stop, macrostep.to);
   }
   // v = N+1 means "after the macrostep", however long it has become
   macrostep.reply_step = command.reply_step > command.motion_steps ? macrostep.steps + 1 : command.reply_step;
   return {};
+}
+
+CommonStop Planner::common_stop(const CommonStop& wished, const DesiredState& from) noexcept {
+  if (wished.ticks == 0 || from.at_rest()) return {};
+  common_stop_.plan(from, wished, period_);
+  return limits_.passes(common_stop_) ? wished : CommonStop{};
 }
 
 void Planner::plan_stop(const DesiredState& from, std::uint32_t steps, Macrostep& macrostep) noexcept {

@@ -3,7 +3,8 @@
 #include "edp/command/macrostep.hpp"
 #include "language/limit_check.hpp"
 #include "language/macrostep/macrostep_goal.hpp"
-#include "language/stop.hpp"
+#include "language/stops/common_stop_path.hpp"
+#include "language/stops/stop.hpp"
 #include "mrroc/robot_command.hpp"
 #include "mrroc/robot_state.hpp"
 #include "mrroc/tool_kinematics.hpp"
@@ -34,8 +35,8 @@ class Planner {
   /// The limit switches on which the axes are: they may only move away from there.
   void stand_on(const LimitSwitches& switches) noexcept { limits_.stand_on(switches); }
 
-  /// Fills kind, steps, reply_step, from, to and path of `macrostep`; the caller fills the rest. Class `none`, or a
-  /// non-fatal error, which leaves `macrostep` undefined. Not for queries. Of a force motion only the values are
+  /// Fills kind, steps, reply_step, from, to, path and stop of `macrostep`; the caller fills the rest. Class `none`, or
+  /// a non-fatal error, which leaves `macrostep` undefined. Not for queries. Of a force motion only the values are
   /// checked: its end is unknown.
   ErrorReport plan(const RobotCommand& command, const DesiredState& from, Pace pace, Macrostep& macrostep) noexcept;
 
@@ -45,6 +46,8 @@ class Planner {
  private:
   /// Ends the stop just planned after `steps` ticks, even in motion.
   void cut_stop(std::uint32_t steps, Macrostep& macrostep) const noexcept;
+  /// `wished`, where it leads from the end of the macrostep just checked within the limits.
+  CommonStop common_stop(const CommonStop& wished, const DesiredState& from) noexcept;
   ErrorReport check(const Macrostep& macrostep) noexcept;
   ErrorReport plan_path(Interpolation interpolation, Macrostep& macrostep) noexcept;
   ErrorReport stretch(Interpolation interpolation, ErrorReport report, Macrostep& macrostep) noexcept;
@@ -52,6 +55,7 @@ class Planner {
   ToolKinematics kinematics_;
   double period_;
   Stop stop_;
+  CommonStopPath common_stop_;
   LimitCheck limits_;
   MacrostepGoal goal_;  ///< of the command being planned
 };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "mrroc/errors.hpp"
+#include "mrroc/load.hpp"
 #include "mrroc/types.hpp"
 
 namespace mrroc::edp {
@@ -25,6 +26,8 @@ class ForceSensor {
   virtual WrenchReading read(Tick tick, const Pose* flange) noexcept = 0;
   /// The last reading becomes zero; an out-of-range reading changes nothing.
   virtual void bias() noexcept = 0;
+  /// The tool carries `carried` from now on, its centre in the sensor frame: its weight is no part of the wrench.
+  virtual void carry(const Load& carried) noexcept = 0;
 };
 
 /// Largest wrench that the robot may meet in a motion, N and N m in the axes of the sensor frame: beyond it, it stops.

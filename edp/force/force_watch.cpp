@@ -18,6 +18,11 @@ void ForceWatch::read(Tick tick, const Pose* flange) noexcept {
   reading_ = sensor_->read(tick, flange);
 }
 
+void ForceWatch::carry(const Load& carried) noexcept {
+  sensor_->carry(carried);
+  reading_ = sensor_->read(tick_, flange_ ? &*flange_ : nullptr);
+}
+
 void ForceWatch::bias() noexcept {
   sensor_->bias();
   reading_ = sensor_->read(tick_, flange_ ? &*flange_ : nullptr);

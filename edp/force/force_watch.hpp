@@ -29,6 +29,8 @@ class ForceWatch {
   void read(Tick tick, const Pose* flange) noexcept;
   /// The present reading becomes zero, including in this tick.
   void bias() noexcept;
+  /// The tool carries `carried` (centre in the sensor frame), including in this tick.
+  void carry(const Load& carried) noexcept;
   /// As read last: in the axes of the sensor frame, about its origin.
   const Wrench& wrench() const noexcept { return reading_.wrench; }
 

@@ -19,6 +19,7 @@ class WristSensor final : public ForceSensor {
   const Pose& mount() const noexcept override { return mount_; }
   WrenchReading read(Tick tick, const Pose* flange) noexcept override;
   void bias() noexcept override { sensor_->bias(raw_); }
+  void carry(const Load& carried) noexcept override { sensor_->carry(carried); }
 
  private:
   std::unique_ptr<vsp::WrenchSource> sensor_;

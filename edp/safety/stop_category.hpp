@@ -51,6 +51,13 @@ constexpr StopCategory stop_category(ErrorCode reason) noexcept {
   }
 }
 
+/// Whether the robot does not follow its set-point for this reason: something is in its way, or its drives are too
+/// weak. The stop then begins where the robot is, at its own velocity. From the set-point it would lead on into an
+/// obstacle.
+constexpr bool is_hindered(ErrorCode reason) noexcept {
+  return reason == ErrorCode::following_error || reason == ErrorCode::over_current;
+}
+
 /// Whether a fault stops the robot more sharply than an earlier one; `none` means no fault.
 constexpr bool graver(ErrorCode fault, ErrorCode found) noexcept {
   if (fault == ErrorCode::none) return false;

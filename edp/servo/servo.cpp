@@ -83,19 +83,29 @@ bool Servo::tick(Tick tick, double ahead, double measured) noexcept {
 }
 
 void Servo::record(Tick tick) noexcept {
-  sample_.tick = tick;
-  sample_.ahead = now_ - static_cast<double>(tick);
-  sample_.measured = input_.time;
-  sample_.motors = measured_motors_;
-  sample_.current = input_.current;
-  sample_.set_point = desired_motors_;
-  sample_.given = current_;
-  sample_.wrench = force_.wrench();
-  sample_.inputs = input_.inputs;
-  sample_.outputs = outputs_;
-  sample_.state = state_;
-  sample_.fault = fault_;
-  tap_->put(sample_);
+  ServoSample* const sample = tap_->claim(tap_waits_);
+  if (sample == nullptr) return;
+  sample->tick = tick;
+  sample->ahead = now_ - static_cast<double>(tick);
+  sample->measured = input_.time;
+  sample->axes = static_cast<std::uint32_t>(joints_.size());
+  const auto copy = [](const JointVector& from, ServoSample::Values& to) {
+    std::copy_n(from.data(), std::min(from.size(), static_cast<Eigen::Index>(to.size())), to.begin());
+  };
+  copy(joints_, sample->joints);
+  copy(velocity_, sample->velocity);
+  copy(desired_.position, sample->desired_joints);
+  copy(measured_motors_, sample->motors);
+  copy(desired_motors_, sample->desired_motors);
+  copy(input_.current, sample->current);
+  copy(current_, sample->commanded_current);
+  Eigen::Map<Wrench>(sample->wrench.data()) = force_.wrench();
+  sample->inputs = input_.inputs;
+  sample->outputs = outputs_;
+  sample->state = state_;
+  sample->fault = fault_.code;
+  sample->fault_axis = static_cast<std::int8_t>(fault_.axis);
+  tap_->publish();
 }
 
 void Servo::leave() noexcept {

@@ -19,7 +19,8 @@
 #include "edp/servo/servo_state.hpp"
 #include "edp/servo/servo_tap.hpp"
 #include "edp/servo/synchroniser.hpp"
-#include "language/stop.hpp"
+#include "language/stops/common_stop_path.hpp"
+#include "language/stops/stop.hpp"
 
 namespace mrroc::edp {
 
@@ -31,8 +32,8 @@ namespace mrroc::edp {
 /// comes twice now and then.
 ///
 /// Set-points: macrosteps one after the other, each from the tick at which its predecessor ended. When a macrostep ends
-/// in motion and no successor has come by the next tick, the robot brakes within its limits from its set-point and
-/// holds there. At rest it holds the desired position.
+/// in motion and no successor has come by the next tick, the robot brakes within its limits from its set-point, in step
+/// with the other robots of its Move where the command says so, and holds there. At rest it holds the desired position.
 ///
 /// Life (ServoState): it starts stopped, with the drives off. `enable` switches them on at the measured position, so
 /// there is no jump, and clears a latched fault; while its cause lasts they stay off. A robot whose drives have lost
@@ -67,8 +68,12 @@ class Servo {
   /// The digital input that presses the emergency stop while it is off. Before the first tick.
   void use_emergency_terminal(int terminal) noexcept { emergency_.use_terminal(terminal); }
 
-  /// A recorder reads every tick from `tap`, which must outlive this object. Before the first tick.
-  void use_tap(ServoTap& tap) noexcept { tap_ = &tap; }
+  /// A sample of every tick goes to `tap`, which must outlive this object; `waits`: as of SharedRing::claim, under a
+  /// simulated clock only. Before the first tick.
+  void use_tap(ServoTap& tap, bool waits) noexcept {
+    tap_ = &tap;
+    tap_waits_ = waits;
+  }
 
   /// Executes tick `tick`, whose readings are of its begin. A gap counts as missed ticks. True: reports have been put
   /// out, the comms side should poll.
@@ -128,7 +133,10 @@ class Servo {
   bool start_next(Tick tick) noexcept;
   void refuse_foreign() noexcept;
   void brake(double from) noexcept;
-  void stop(StopCategory category) noexcept;
+  void brake_in_step(const CommonStop& common) noexcept;
+  /// In the reason's category, and from where the robot is if it is hindered (stop_category.hpp).
+  void stop(ErrorCode reason) noexcept;
+  void stand_where_it_is() noexcept;
   void stop_and_switch_off() noexcept;
   void drives_off() noexcept;
   void latch(const Fault& fault, Tick tick) noexcept;
@@ -144,6 +152,7 @@ class Servo {
   double period_;
   ServoChannel& channel_;
   Stop stop_;
+  CommonStopPath common_stop_;
   Synchroniser synchroniser_;
   DriveHoming homing_;
   std::vector<Regulator> regulators_;
@@ -179,6 +188,7 @@ class Servo {
   std::uint64_t finished_ = 0;
   std::uint32_t epoch_ = 0;
   bool braking_ = false;
+  bool in_step_ = false;  ///< the stop under way is `common_stop_`
 
   // force
   ForceWatch force_;
@@ -202,7 +212,7 @@ class Servo {
   ServoCounters counters_;
   Snapshot snapshot_;
   ServoTap* tap_ = nullptr;
-  ServoSample sample_;
+  bool tap_waits_ = false;
 };
 
 }  // namespace mrroc::edp

@@ -20,7 +20,7 @@ void Servo::advance(Tick tick) noexcept {
       } else if (step < active_.steps) {
         const double time = (now_ - origin_) * period_;
         if (active_.kind == Macrostep::Kind::stop)
-          desired_ = stop_.at(time);
+          desired_ = in_step_ ? common_stop_.at(time) : stop_.at(time);
         else if (active_.kind == Macrostep::Kind::path && time > 0)
           follow(time, tick);
         return;
@@ -31,6 +31,8 @@ void Servo::advance(Tick tick) noexcept {
         use_regulators();
       else if (active_.kind == Macrostep::Kind::bias)
         force_.bias();
+      else if (active_.kind == Macrostep::Kind::carry)
+        force_.carry(active_.load);
       else if (active_.kind != Macrostep::Kind::synchronise && active_.kind != Macrostep::Kind::force)
         desired_ = active_.to;
       running_ = false;
@@ -42,7 +44,9 @@ void Servo::advance(Tick tick) noexcept {
     if (desired_.at_rest()) return;
     if (active_.kind != Macrostep::Kind::stop)
       ++counters_.stops;  // else a hold that ended before its stop: it continues
+    const CommonStop common = active_.kind == Macrostep::Kind::path ? active_.stop : CommonStop{};
     brake(static_cast<double>(boundary_));
+    if (common.ticks > 0) brake_in_step(common);
     braking_ = true;
     refuse_foreign();
   }
@@ -127,7 +131,10 @@ bool Servo::start_next(Tick tick) noexcept {
   // a moving predecessor ended at `start`, even in a missed tick; a resting robot begins now
   active_.start = std::max({active_.start, boundary_, last_});
   origin_ = static_cast<double>(active_.start);
-  if (active_.kind == Macrostep::Kind::stop) stop_.plan(desired_);
+  if (active_.kind == Macrostep::Kind::stop) {
+    stop_.plan(desired_);
+    in_step_ = false;
+  }
   if (active_.kind == Macrostep::Kind::force) {
     if (!forced_) force_motion_.start(desired_, active_.force.tool);
     force_time_ = origin_;
@@ -168,14 +175,34 @@ void Servo::brake(double from) noexcept {
   active_.steps = stop_.ticks();
   active_.from = desired_;
   active_.to = stop_.end();
+  in_step_ = false;
   running_ = true;
 }
 
-void Servo::stop(StopCategory category) noexcept {
-  if (category == StopCategory::drives_off)
-    drives_off();
-  else if (state_ != ServoState::stopping)
-    stop_and_switch_off();
+/// As the other robots of its Move do.
+void Servo::brake_in_step(const CommonStop& common) noexcept {
+  common_stop_.plan(desired_, common, period_);
+  in_step_ = true;
+  active_.steps = common_stop_.ticks();
+  active_.to = common_stop_.end();
+}
+
+void Servo::stop(ErrorCode reason) noexcept {
+  if (stop_category(reason) == StopCategory::drives_off) return drives_off();
+  if (state_ == ServoState::stopping) return;
+  if (is_hindered(reason)) stand_where_it_is();
+  stop_and_switch_off();
+}
+
+/// The set-point is the measured state from now on. The regulators see no step: they keep what they have given.
+void Servo::stand_where_it_is() noexcept {
+  desired_ = DesiredState::resting_at(joints_);
+  for (int i = 0; i < model_->joint_count(); ++i) {
+    const double most = model_->parameters().axes[static_cast<std::size_t>(i)].velocity_max;
+    desired_.velocity[i] = std::clamp(velocity_[i], -most, most);
+  }
+  desired_motors_ = measured_motors_;
+  then_ = now_;
 }
 
 void Servo::stop_and_switch_off() noexcept {

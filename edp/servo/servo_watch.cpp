@@ -96,7 +96,7 @@ void Servo::watch(Tick tick) noexcept {
   }
   if (found_.code != ErrorCode::none) latch(found_, tick);
   if (has_power(state_) && fault_.code != ErrorCode::none)
-    stop(stop_category(found_.code != ErrorCode::none ? found_.code : fault_.code));
+    stop(found_.code != ErrorCode::none ? found_.code : fault_.code);
   if (force_.present()) watch_force(tick);
 }
 

@@ -8,6 +8,8 @@
 
 namespace mrroc {
 
+class Superior;
+
 /// f_e* and f_T of one motion: writes every robot's command from c^i, e^i, v^i, and decides when the motion ends.
 /// Derive from it, keep references to the robots and sensors, and implement `next_state()`. The same generator runs in
 /// an ECP and in the MP. Task's thread only.
@@ -33,6 +35,8 @@ class Generator {
   /// own desired values. False: the motion follows something that has its own time (a moving frame, a hand, a spring),
   /// so it is executed as commanded.
   virtual bool scales_with_speed() const { return true; }
+  /// The MP that takes part in the Move of this generator, in an ECP: see `Coordinated`. Null, the default: none does.
+  virtual Superior* followed() noexcept { return nullptr; }
   /// f_T: the motion has ended on its own. Evaluated once per step, before `next_state()`.
   virtual bool terminal_condition() { return false; }
   /// f_e*: writes `robot.command()` of every robot that it moves; the other robots hold. Must not allocate.

@@ -67,6 +67,12 @@ class Robot {
   void recover();
   /// Takes the present reading of the robot's force sensor as zero, for the force law and the force limits.
   void bias_force();
+  /// The tool carries `load` from now on, besides its own weight; the centre in the tool frame in use, m. The robot's
+  /// force law and force limits (`force_sensor` of the deployment) take its weight off in every posture, as those of
+  /// `tool_mass`; mass 0: the tool is empty. A ForceTorque of the task is configured by itself (`Carrying`). Throws
+  /// NonFatalError(invalid_argument) when the mass is negative or above 1000 kg, the centre farther than 10 m, or the
+  /// robot has no force sensor.
+  void carry(const Load& load);
   /// Selects the servo regulators by the name of their set in the robot's parameter file; "standard" is its own. Throws
   /// NonFatalError(invalid_argument) that lists the valid names.
   void use_regulators(std::string_view name);

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "mrroc/common_stop.hpp"
 #include "mrroc/force_law.hpp"
+#include "mrroc/load.hpp"
 #include "mrroc/signals.hpp"
 #include "mrroc/types.hpp"
 
@@ -25,7 +27,9 @@ enum class CommandKind : std::uint8_t {
   recover = 11,         ///< clear a fault and switch the drives on, at the measured position
   bias_force = 12,      ///< take the force sensor's present reading as zero, for the force law and the force limits
   use_regulators = 13,  ///< the regulator set `choice` from now on
-  set_outputs = 14      ///< `outputs` from the next tick on
+  set_outputs = 14,     ///< `outputs` from the next tick on
+  carry = 15,           ///< the tool carries `load` from now on: the force law and the force limits take its weight off
+  end = 16              ///< to an ECP that takes part in a Move of the MP: it has ended. An EDP refuses it
 };
 
 /// The space in which the path to the end of the macrostep is smooth: a polynomial of degree five in time from the
@@ -42,7 +46,9 @@ enum class Interpolation : std::uint8_t {
 /// max(start_tick, end of the previous macrostep, present tick), and ends N ticks later; its first new set-point is
 /// that of its tick 1, so a command after a reply at v = N still continues without a gap. The EDP replies at tick v; v
 /// = N + 1 is the first tick after the macrostep. A command with a nonzero end velocity needs a successor: if it does
-/// not arrive in time, the EDP brakes within the limits, holds, and counts a late command.
+/// not arrive in time, the EDP brakes within the limits, holds, and counts a late command: as `stop` says, where that
+/// keeps the limits from the end of a `joint`, `motor` or `pose` macrostep, else every joint on its own. A late command
+/// with a `stop` is a `hold`, so that robots that have braked in step stay so; their sender plans again.
 ///
 /// A `hold` in motion executes N ticks of a stop. The stop continues with the next `hold` or without a successor; any
 /// other command takes over from there. With v = N + 1 the `hold` lasts as long as the stop.
@@ -70,6 +76,8 @@ struct RobotCommand {
   Twist twist = Twist::Zero();                          ///< of the tool frame's origin at the end, in base axes
   JointVector twist_acceleration;                       ///< d twist / dt at the end, 6 values; empty: the mean
   ForceLaw force;                                       ///< of `force`
+  CommonStop stop;                                      ///< without a successor; set by Move for several robots
+  Load load;                                            ///< of `carry`; centre in the tool frame
   std::uint8_t choice = 0;                              ///< of `use_model`, `use_regulators`: index in the robot's list
   bool with_outputs = false;                            ///< of a motion: `outputs` from the macrostep's tick 0 on
   ControllerIo outputs;

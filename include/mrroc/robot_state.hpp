@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "mrroc/errors.hpp"
 #include "mrroc/fixed_text.hpp"
 #include "mrroc/signals.hpp"
@@ -12,6 +14,13 @@ struct ErrorReport {
   ErrorClass error_class = ErrorClass::none;
   ErrorCode code = ErrorCode::none;
   FixedText<191> detail;
+};
+
+/// How the ECP of a robot took part in the command that a state answers, equation (11).
+enum class Coordination : std::uint8_t {
+  none = 0,        ///< not: the state is the EDP's
+  takes_part = 1,  ///< the ECP has computed the robot's command from this one
+  left = 2         ///< the ECP has left the Move without executing it: the sender plans again from this state
 };
 
 /// The part of a robot's state that its servo measures or holds itself, at the end of `tick`. Joint order and units are
@@ -50,6 +59,7 @@ struct RobotState : MeasuredState {
   Pose desired_pose = Pose::Identity();
   Pose tool = Pose::Identity();  ///< tool frame in use, in the flange frame
   bool enabled = false;
+  Coordination coordination = Coordination::none;
   std::uint32_t late_commands = 0;  ///< commands that arrived after the robot had begun to brake, since start
   ErrorReport error;
 

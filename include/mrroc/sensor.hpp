@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "mrroc/message.hpp"
 #include "mrroc/sensor_link.hpp"
 
 namespace mrroc {
@@ -46,6 +47,21 @@ class Sensor {
   /// any, SystemError when the VSP died or is silent.
   void bias();
 
+  /// c_l in the paper's equation (14), v_p = f(c_0, c_l, e_l, r): the sensor works with `configuration` from its next
+  /// reading on, for every client. An exchange of its own, between two instructions; the sensor's type says which
+  /// configurations it takes: `wrist.configure(Carrying{1.2, {0, 0, 0.1}})`. Afterwards `reading()` is empty (all
+  /// values NaN) until the first reading that was made with it, also where an older one arrives in between (polled and
+  /// non-interactive sensors). Throws NonFatalError: busy while an instruction of another fiber reads it,
+  /// invalid_argument with the sensor's reason when it refuses (nothing has changed then); SystemError when the VSP
+  /// died or is silent.
+  template <MessageType Configuration>
+  void configure(const Configuration& configuration) {
+    configure_with(pack(configuration));
+  }
+  /// The number of the configuration that this task was the last to set; 0: it has set none. Readings made with a later
+  /// one, of another client, have a greater number in `reading().configuration`.
+  std::uint32_t configuration() const noexcept { return configuration_; }
+
   // ---- the exchange, used by Move and Wait
   // -----------------------------------------------------------------------------
   /// Reserves an interactive sensor for one instruction, until `release`. Throws NonFatalError(busy) when an
@@ -61,11 +77,16 @@ class Sensor {
   void collect_reading();
 
  private:
+  void configure_with(const Message& configuration);
+  void take(const SensorReading& reading) noexcept;
+
   Task* task_;
   std::string name_;
   bool interactive_ = true;
   SensorLink* link_;
   SensorReading reading_;
+  SensorReading arrived_;
+  std::uint32_t configuration_ = 0;
   std::uint32_t period_ = 1;
   bool asked_ = false;  ///< a polled sensor's reading is under way
   bool fresh_ = false;

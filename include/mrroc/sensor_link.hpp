@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "mrroc/parcel.hpp"
 #include "mrroc/robot_state.hpp"
 
 namespace mrroc {
@@ -14,6 +15,9 @@ inline constexpr std::size_t kMaxChannels = 16;
 struct SensorReading {
   std::uint64_t sequence = 0;  ///< counts readings of this VSP since its start, from 1
   Tick tick = 0;               ///< tick of the hardware reading that was aggregated
+  /// The configuration with which it was made (`Sensor::configure`): counts those that the VSP has taken, from 0, that
+  /// of the deployment.
+  std::uint32_t configuration = 0;
   std::uint32_t channel_count = 0;
   std::array<double, kMaxChannels> values{};
   ErrorReport error;
@@ -21,14 +25,16 @@ struct SensorReading {
 
 /// A client's request to an interactive virtual sensor.
 enum class SensorRequestKind : std::uint8_t {
-  reading = 0,  ///< aggregate at `measure_at` and reply
-  bias = 1      ///< take the present reading as zero, then reply with the new reading
+  reading = 0,   ///< aggregate at `measure_at` and reply
+  bias = 1,      ///< take the present reading as zero, then reply with the new reading
+  configure = 2  ///< work with `configuration` from the next reading on; the reply has no values
 };
 
 struct SensorRequest {
   SensorRequestKind kind = SensorRequestKind::reading;
   /// The tick of the requested hardware reading; at once when it has passed.
   Tick measure_at = 0;
+  Message configuration{};  ///< of `configure`
 };
 
 /// The connection from a `Sensor` to its VSP, or to a test's fake. Called by the task's thread only.

@@ -30,6 +30,7 @@ struct InstructionRecord {
     std::string name;
     std::uint32_t period = 1;  ///< steps
     bool interactive = true;
+    std::uint32_t configuration = 0;  ///< that this task was the last to set: readings are made with it or a later one
   };
 
   std::uint64_t number = 0;  ///< counts the task's instructions, from 1, in the order of their first steps
@@ -49,12 +50,16 @@ struct StepRecord {
   std::uint64_t step = 0;
   /// Macrosteps in which the robots held between the previous command and this step: a pause, a late command.
   std::uint64_t held = 0;
+  /// The states come from a query since the previous command, because a generator planned again: in an ECP that of an
+  /// MP that takes part.
+  bool obtained = false;
   Tick tick = 0;  ///< of the newest state or reading
   StepEnding ending = StepEnding::none;
-  Tick skew = 0;                        ///< of the robots, worst so far in this instruction: Outcome::skew
-  std::vector<RobotState> states;       ///< e^i
-  std::vector<RobotCommand> commands;   ///< e^{i+1}; empty where the instruction ends
-  std::vector<SensorReading> readings;  ///< v^i
+  Tick skew = 0;                         ///< of the robots, worst so far in this instruction: Outcome::skew
+  std::vector<RobotState> states;        ///< e^i
+  std::vector<RobotCommand> commands;    ///< e^{i+1}; empty where the instruction ends
+  std::optional<RobotCommand> superior;  ///< c_0 in an ECP whose Move the MP takes part in: its command of this step
+  std::vector<SensorReading> readings;   ///< v^i
   /// Whether each leaf holds. Empty at an end without evaluation: end-motion, `Stopped`, errors.
   std::vector<std::uint8_t> conditions;
 

@@ -4,6 +4,7 @@
 #include <opencv2/core/utility.hpp>
 #include <string>
 
+#include "sensors/camera/configuration.hpp"
 #include "sensors/camera/detection/make_detector.hpp"
 #include "sensors/camera/keys.hpp"
 #include "sensors/camera/pictures/hardware_camera.hpp"
@@ -43,6 +44,7 @@ void fill(SensorReading& v, const Detection& found, const Pose& camera) {
 
 void CameraSensor::configure(const config::SensorEntry& entry, double /*servo_period*/) {
   cv::setNumThreads(1);  // threads slow down small pictures, and lockstep runs on one CPU
+  entry_ = entry;
   detector_ = make_detector(entry);
 }
 
@@ -55,15 +57,46 @@ std::unique_ptr<Source> CameraSensor::open_source(const SourceContext& context) 
     source = std::make_unique<SimulatedCamera>(context, picture_);
   }
   intrinsics_ = source->intrinsics();
-  frame_ = ReadingFrame(context.deployment, entry, source->mount());
-  if (!frame_.moves()) {
-    const std::string_view obstacle = detector_->obstacle(intrinsics_, frame_.of_camera(Pose::Identity()).inverse());
-    if (!obstacle.empty()) refuse(entry, "plane", std::string(obstacle), "a plane that the camera sees");
-  }
+  intrinsics_.fx *= number(entry, "focal_scale");
+  intrinsics_.fy *= number(entry, "focal_scale");
+  frame_ = ReadingFrame(context.deployment, entry, calibrated_mount(entry).value_or(source->mount()));
+  source_ = source.get();
+  part_ = part_of(intrinsics_, Region{});
+  check_view(*detector_, entry);
   if (!text(entry, "debug").empty()) {
     debug_.emplace(text(entry, "debug"), entry.name, whole(entry, "debug_every"), intrinsics_);
   }
   return source;
+}
+
+/// Where the camera is fixed, it must be able to see what it looks for.
+void CameraSensor::check_view(const Detector& detector, const config::SensorEntry& entry) const {
+  if (frame_.moves()) return;
+  const std::string_view obstacle = detector.obstacle(intrinsics_, frame_.of_camera(Pose::Identity()).inverse());
+  if (!obstacle.empty()) refuse(entry, "plane", std::string(obstacle), "a plane that the camera sees");
+}
+
+void CameraSensor::reconfigure(const Message& configuration) {
+  take_configuration<LookFor, LookForColour, Region, Exposure>(configuration,
+                                                               [this](const auto& taken) { apply(taken); });
+}
+
+void CameraSensor::look_for(config::SensorEntry entry) {
+  std::unique_ptr<Detector> detector = make_detector(entry);
+  check_view(*detector, entry);
+  detector_ = std::move(detector);
+  entry_ = std::move(entry);
+}
+
+void CameraSensor::apply(const LookFor& marker) { look_for(with(entry_, marker)); }
+
+void CameraSensor::apply(const LookForColour& blob) { look_for(with(entry_, blob)); }
+
+void CameraSensor::apply(const Region& region) { part_ = part_of(intrinsics_, region); }
+
+void CameraSensor::apply(const Exposure& exposure) {
+  check_configured("Exposure", "seconds", exposure.seconds, 1e-6, 10, "s");
+  source_->expose(exposure.seconds);
 }
 
 void CameraSensor::effector_state(const RobotState& e) noexcept {
@@ -92,8 +125,11 @@ void CameraSensor::detect(SensorReading& v) {
       return report(v, ErrorClass::non_fatal, ErrorCode::sensor_out_of_range, "%s", obstacle.c_str());
     }
   }
-  const std::optional<Detection> found = detector_->find(picture_, intrinsics_, reference);
+  std::optional<Detection> found = detector_->find(picture_(part_), cropped(intrinsics_, part_), reference);
   if (found) {
+    const Eigen::Vector2d corner(part_.x, part_.y);
+    found->pixel += corner;
+    for (Eigen::Vector2d& point : found->outline) point += corner;
     fill(v, *found, camera);
   } else {
     std::fill_n(v.values.begin(), v.channel_count, 0.0);

@@ -4,6 +4,7 @@
 #include <opencv2/core/mat.hpp>
 #include <optional>
 
+#include "mrroc/sensors/camera_configuration.hpp"
 #include "sensors/camera/debug_view.hpp"
 #include "sensors/camera/detection/detection.hpp"
 #include "sensors/camera/pictures/picture_source.hpp"
@@ -36,11 +37,22 @@ class CameraSensor final : public VirtualSensor {
   std::unique_ptr<Source> open_source(const SourceContext& context) override;
   void effector_state(const RobotState& e) noexcept override;
   void aggregate(const RawReading& r, SensorReading& v) noexcept override;
+  /// `LookFor`, `LookForColour`, `Region`, `Exposure` (mrroc/sensors/camera_configuration.hpp).
+  void reconfigure(const Message& configuration) override;
 
  private:
   void detect(SensorReading& v);
+  void look_for(config::SensorEntry entry);
+  void check_view(const Detector& detector, const config::SensorEntry& entry) const;
+  void apply(const LookFor& marker);
+  void apply(const LookForColour& blob);
+  void apply(const Region& region);
+  void apply(const Exposure& exposure);
 
+  config::SensorEntry entry_;
   std::unique_ptr<Detector> detector_;
+  PictureSource* source_ = nullptr;
+  cv::Rect part_;  ///< of the picture, that is searched
   cv::Mat picture_;
   Intrinsics intrinsics_;
   ReadingFrame frame_;

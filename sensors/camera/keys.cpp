@@ -29,12 +29,24 @@ std::optional<std::vector<double>> optional_numbers(const config::SensorEntry& e
   return found->second;
 }
 
-std::optional<Pose> mount_pose(const config::SensorEntry& entry) {
-  const auto position = optional_numbers(entry, "position", 3), rotation = optional_numbers(entry, "rotation", 3);
-  if (rotation && !position) refuse(entry, "rotation", "a rotation alone", "the key 'position' beside it");
+namespace {
+
+std::optional<Pose> mount_of(const config::SensorEntry& entry, const std::string& position_key,
+                             const std::string& rotation_key) {
+  const auto position = optional_numbers(entry, position_key, 3), rotation = optional_numbers(entry, rotation_key, 3);
+  if (rotation && !position)
+    refuse(entry, rotation_key, "a rotation alone", "the key '" + position_key + "' beside it");
   if (!position) return std::nullopt;
   const Eigen::Vector3d turns = rotation ? Eigen::Vector3d{rotation->data()} : Eigen::Vector3d::Zero();
   return pose_from_rpy(Eigen::Vector3d{position->data()}, turns);
+}
+
+}  // namespace
+
+std::optional<Pose> mount_pose(const config::SensorEntry& entry) { return mount_of(entry, "position", "rotation"); }
+
+std::optional<Pose> calibrated_mount(const config::SensorEntry& entry) {
+  return mount_of(entry, "mount_position", "mount_rotation");
 }
 
 std::string listed(const std::vector<std::string>& names) {

@@ -19,6 +19,8 @@ std::optional<std::vector<double>> optional_numbers(const config::SensorEntry& e
                                                     std::size_t size);
 /// `position` and `rotation`; nothing when both are missing.
 std::optional<Pose> mount_pose(const config::SensorEntry& entry);
+/// `mount_position` and `mount_rotation`, the mount as calibrated; nothing when both are missing.
+std::optional<Pose> calibrated_mount(const config::SensorEntry& entry);
 /// "a, b, c".
 std::string listed(const std::vector<std::string>& names);
 

@@ -5,6 +5,7 @@
 #include "geometry/rigid_motion.hpp"
 #include "language/limits.hpp"
 #include "sensors/force_torque/simulated_gauges.hpp"
+#include "vsp/configuration.hpp"
 #include "vsp/make_source.hpp"
 #include "vsp/parameters.hpp"
 #include "vsp/reading_error.hpp"
@@ -13,6 +14,10 @@
 namespace mrroc::vsp {
 
 namespace {
+
+// bounds of a load: beyond them a unit is wrong
+constexpr double kMostMass = 1000;      // kg
+constexpr double kMostDistance = 10.0;  // m
 
 /// The six values of r: a supporting wrench or voltages.
 Eigen::Map<const Wrench> six_values(const RawReading& r) noexcept { return Eigen::Map<const Wrench>(r.values.data()); }
@@ -29,8 +34,11 @@ void ForceTorqueSensor::configure(const config::SensorEntry& entry, double servo
   range_ << vector3(entry, "force_range"), vector3(entry, "torque_range");
   force_noise_ = number(entry, "force_noise");
   torque_noise_ = number(entry, "torque_noise");
+  zero_ = Eigen::Map<const Wrench>(entry.numbers.at("zero").data());
   tool_mass_ = number(entry, "tool_mass");
   tool_centre_ = vector3(entry, "tool_centre");
+  servo_period_ = servo_period;
+  follows_ = entry.wants_effector_state && !entry.robot.empty();
   gravity_ = vector3(entry, "gravity");
   noise_ = Noise{entry.name};
   gauges_ = Gauges::of(entry);
@@ -59,7 +67,7 @@ void ForceTorqueSensor::effector_state(const RobotState& e) noexcept {
 }
 
 void ForceTorqueSensor::track(const RawReading& r) noexcept {
-  if (measurable(r) && !weight_unknown()) filter_.update(r.tick, load(r) - tool_weight() + noise(r.tick));
+  if (measurable(r) && !weight_unknown()) filter_.update(r.tick, load(r) - weight() + noise(r.tick));
 }
 
 void ForceTorqueSensor::aggregate(const RawReading& r, SensorReading& v) noexcept {
@@ -80,8 +88,34 @@ bool ForceTorqueSensor::bias(const RawReading& r) noexcept {
   return true;
 }
 
+void ForceTorqueSensor::reconfigure(const Message& configuration) {
+  take_configuration<Carrying, LowPassAt>(configuration, [this](const auto& taken) { apply(taken); });
+}
+
+void ForceTorqueSensor::apply(const Carrying& carrying) {
+  check_configured("Carrying", "mass", carrying.mass, 0, kMostMass, "kg");
+  for (const double coordinate : carrying.centre)
+    check_configured("Carrying", "centre", coordinate, -kMostDistance, kMostDistance, "m");
+  if (carrying.mass > 0 && !follows_)
+    refuse_configuration("Carrying", "mass", carrying.mass,
+                         "0 kg: the deployment gives this sensor no robot and tool_mass, so it does not know how the "
+                         "load is turned");
+  carry({carrying.mass, carrying.centre});
+}
+
+void ForceTorqueSensor::apply(const LowPassAt& low_pass) {
+  check_configured("LowPassAt", "cutoff", low_pass.cutoff, 0, 0.5 / servo_period_, "Hz, half the servo rate");
+  filter_.configure(low_pass.cutoff, servo_period_);
+}
+
+void ForceTorqueSensor::carry(const Load& carried) noexcept {
+  const Wrench before = orientation_ ? weight() : Wrench::Zero();
+  carried_ = carried;
+  if (orientation_) filter_.shift(before - weight());
+}
+
 Wrench ForceTorqueSensor::load(const RawReading& r) const noexcept {
-  return gauges_ ? gauges_->load(six_values(r)) : Wrench{-six_values(r)};
+  return (gauges_ ? gauges_->load(six_values(r)) : Wrench{-six_values(r)}) - zero_;
 }
 
 std::optional<int> ForceTorqueSensor::saturated_gauge(const RawReading& r) const noexcept {
@@ -110,12 +144,14 @@ void ForceTorqueSensor::report_out_of_range(const RawReading& r, SensorReading& 
          kNames[static_cast<std::size_t>(axis)], digits, wrench[axis], axis < 3 ? "N" : "N m", digits, range_[axis]);
 }
 
-Wrench ForceTorqueSensor::tool_weight() const noexcept {
+/// Of the tool and what it carries.
+Wrench ForceTorqueSensor::weight() const noexcept {
   Wrench weight = Wrench::Zero();
   if (tool_mass_ > 0) {
     const Eigen::Vector3d force = orientation_->transpose() * (tool_mass_ * gravity_);
     weight << force, tool_centre_.cross(force);
   }
+  if (carried_.mass > 0) weight += weight_of(carried_, *orientation_, gravity_);
   return weight;
 }
 

@@ -2,6 +2,8 @@
 
 #include <optional>
 
+#include "mrroc/load.hpp"
+#include "mrroc/sensors/force_torque.hpp"
 #include "sensors/force_torque/gauges.hpp"
 #include "sensors/force_torque/low_pass.hpp"
 #include "vsp/noise.hpp"
@@ -15,13 +17,14 @@ namespace mrroc::vsp {
 ///
 /// r is the measurement of the hardware. Without a `calibration` (and from MuJoCo's `force` and `torque` sensors) the
 /// wrench s that the wrist exerts on the tool to support it; with one, the voltages of six strain gauges (gauges.hpp).
-/// The load on the sensor is l = -s, or M (gauges - zero). At rest the wrenches on the tool add up to zero, w + g + s =
-/// 0, g being its weight, so
+/// The load on the sensor is l = -s - z, or M (gauges - gauge zero) - z, with z the key `zero`. At rest the wrenches on
+/// the tool add up to zero, w + g + s = 0, g being its weight, so
 ///
 ///     u = l - g + noise         v = low_pass(u) - bias
-///     g = (f, c x f),  f = R^T (m a)
+///     g = (f, c x f) + (f_c, c_c x f_c),  f = R^T (m a),  f_c = R^T (m_c a)
 ///
-/// with m `tool_mass`, c `tool_centre`, a `gravity`, R the orientation of the sensor frame in the robot's base frame:
+/// with m `tool_mass`, c `tool_centre`, m_c and c_c those of what the tool carries (configuration `Carrying`, 0 at the
+/// start), a `gravity`, R the orientation of the sensor frame in the robot's base frame:
 /// the flange's, from e_l (pose and tool frame in use), times that of the key `rotation`. With tool_mass 0, g remains
 /// in the reading and `bias` removes it for the present orientation. Inertial forces of the tool are part of w.
 ///
@@ -41,9 +44,12 @@ class ForceTorqueSensor final : public WrenchSource {
   void effector_state(const RobotState& e) noexcept override;
   void aggregate(const RawReading& r, SensorReading& v) noexcept override;
   bool bias(const RawReading& r) noexcept override;
+  /// `Carrying`, `LowPassAt` (mrroc/sensors/force_torque.hpp).
+  void reconfigure(const Message& configuration) override;
 
   Pose mount() const override { return mount_; }
   Wrench load(const RawReading& r) const noexcept override;
+  void carry(const Load& carried) noexcept override;
   /// Group delay of the low-pass for slow changes, s (`LowPass::delay`); 0 without.
   double delay() const noexcept { return filter_.delay(); }
 
@@ -52,16 +58,22 @@ class ForceTorqueSensor final : public WrenchSource {
   /// Index of the first component beyond its range.
   std::optional<int> beyond_range(const Wrench& load) const noexcept;
   void report_out_of_range(const RawReading& r, SensorReading& v) const noexcept;
-  bool weight_unknown() const noexcept { return tool_mass_ > 0 && !orientation_; }
+  bool weight_unknown() const noexcept { return tool_mass_ + carried_.mass > 0 && !orientation_; }
   bool measurable(const RawReading& r) const noexcept { return !saturated_gauge(r) && !beyond_range(load(r)); }
-  Wrench tool_weight() const noexcept;
+  Wrench weight() const noexcept;
+  void apply(const Carrying& carrying);
+  void apply(const LowPassAt& low_pass);
   Wrench noise(Tick tick) const noexcept;
 
   Wrench range_ = Wrench::Zero();
   double force_noise_ = 0;
   double torque_noise_ = 0;
+  Wrench zero_ = Wrench::Zero();  ///< the reading without load
   double tool_mass_ = 0;
   Eigen::Vector3d tool_centre_ = Eigen::Vector3d::Zero();
+  Load carried_;
+  double servo_period_ = 0;
+  bool follows_ = false;  ///< e_l comes
   Eigen::Vector3d gravity_ = Eigen::Vector3d::Zero();
   Noise noise_{""};
   LowPass filter_;

@@ -12,6 +12,7 @@ namespace mrroc::vsp {
 /// y = u always. It delays slow changes by `delay()`. Allocates nothing, never throws.
 class LowPass {
  public:
+  /// Also begins again: the next update gives y = u.
   void configure(double cutoff, double servo_period) noexcept;
   bool enabled() const noexcept { return rate_ > 0; }
   /// Group delay at frequency 0, s: how far y lags behind a ramp, updated at every tick. T / (exp(2 pi f T) - 1), for f
@@ -19,6 +20,8 @@ class LowPass {
   double delay() const noexcept;
   /// An update at the same tick as the last, or before it, changes nothing.
   void update(Tick tick, const Wrench& u) noexcept;
+  /// Adds `change` to u as if it had always been part of it: y changes by the same at once.
+  void shift(const Wrench& change) noexcept { y_ += change; }
   const Wrench& value() const noexcept { return y_; }
   /// False before the first update.
   bool started() const noexcept { return started_; }

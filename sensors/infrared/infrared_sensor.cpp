@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "vsp/configuration.hpp"
 #include "vsp/parameters.hpp"
 #include "vsp/reading_error.hpp"
 
@@ -26,6 +27,7 @@ void InfraredSensor::configure(const config::SensorEntry& entry, double /*servo_
   off_beyond_ = on_at_ + number(entry, "hysteresis");
   noise_ = Noise{entry.name};
   presence_ = false;
+  hardware_ = {dead_zone_, max_range_};
   if (dead_zone_ >= max_range_) {
     refuse(entry, "dead_zone", metres(dead_zone_), std::string("less than max_range, ").append(metres(max_range_)));
   }
@@ -37,6 +39,27 @@ void InfraredSensor::configure(const config::SensorEntry& entry, double /*servo_
                .append(", and max_range, ")
                .append(metres(max_range_)));
   }
+}
+
+void InfraredSensor::reconfigure(const Message& configuration) {
+  take_configuration<InfraredRange, PresenceAt>(configuration, [this](const auto& taken) { apply(taken); });
+}
+
+void InfraredSensor::apply(const InfraredRange& range) {
+  check_range("InfraredRange", {range.nearest, range.farthest}, hardware_);
+  check_configured("InfraredRange", "nearest", range.nearest, hardware_.nearest, on_at_, "m, the presence");
+  check_configured("InfraredRange", "farthest", range.farthest, off_beyond_, hardware_.farthest,
+                   "m, beyond the presence");
+  dead_zone_ = range.nearest;
+  max_range_ = range.farthest;
+}
+
+void InfraredSensor::apply(const PresenceAt& presence) {
+  check_configured("PresenceAt", "distance", presence.distance, dead_zone_, max_range_, "m");
+  check_configured("PresenceAt", "hysteresis", presence.hysteresis, 0, max_range_ - presence.distance, "m");
+  on_at_ = presence.distance;
+  off_beyond_ = presence.distance + presence.hysteresis;
+  presence_ = false;
 }
 
 void InfraredSensor::track(const RawReading& r) noexcept {

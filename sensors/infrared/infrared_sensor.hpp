@@ -2,7 +2,9 @@
 
 #include <optional>
 
+#include "mrroc/sensors/infrared.hpp"
 #include "vsp/noise.hpp"
+#include "vsp/range.hpp"
 #include "vsp/virtual_sensor.hpp"
 
 namespace mrroc::vsp {
@@ -31,13 +33,18 @@ class InfraredSensor final : public VirtualSensor {
   bool continuous() const noexcept override { return true; }
   void track(const RawReading& r) noexcept override;
   void aggregate(const RawReading& r, SensorReading& v) noexcept override;
+  /// `InfraredRange`, `PresenceAt` (mrroc/sensors/infrared.hpp).
+  void reconfigure(const Message& configuration) override;
 
  private:
+  void apply(const InfraredRange& range);
+  void apply(const PresenceAt& presence);
   bool measurable(double range) const noexcept { return range >= dead_zone_ || range == kNothingHit; }
   /// Distance of a measurable r; nothing when nothing is seen.
   std::optional<double> seen(const RawReading& r) const noexcept;
 
   static constexpr double kNothingHit = -1;
+  Range hardware_;  ///< of the deployment
   double max_range_ = 0;
   double dead_zone_ = 0;
   double noise_growth_ = 0;  ///< 1/m

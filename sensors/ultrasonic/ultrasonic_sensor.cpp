@@ -6,6 +6,8 @@
 #include <span>
 #include <string>
 
+#include "mrroc/sensors/ultrasonic.hpp"
+#include "vsp/configuration.hpp"
 #include "vsp/parameters.hpp"
 #include "vsp/reading_error.hpp"
 
@@ -35,7 +37,16 @@ void UltrasonicSensor::configure(const config::SensorEntry& entry, double /*serv
     refuse(entry, "dead_zone", std::to_string(dead_zone_) + " m",
            "less than max_range, " + std::to_string(max_range_) + " m");
   }
+  hardware_ = {dead_zone_, max_range_};
   configure_beam(entry);
+}
+
+void UltrasonicSensor::reconfigure(const Message& configuration) {
+  take_configuration<UltrasonicRange>(configuration, [this](const UltrasonicRange& range) {
+    check_range("UltrasonicRange", {range.nearest, range.farthest}, hardware_);
+    dead_zone_ = range.nearest;
+    max_range_ = range.farthest;
+  });
 }
 
 void UltrasonicSensor::configure_beam(const config::SensorEntry& entry) {

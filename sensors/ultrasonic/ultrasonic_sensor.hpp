@@ -2,6 +2,7 @@
 
 #include "sensors/ultrasonic/beam.hpp"
 #include "vsp/noise.hpp"
+#include "vsp/range.hpp"
 #include "vsp/virtual_sensor.hpp"
 
 namespace mrroc::vsp {
@@ -24,12 +25,15 @@ class UltrasonicSensor final : public VirtualSensor {
   std::vector<Channel> raw_channels() const override;
   void configure(const config::SensorEntry& entry, double servo_period) override;
   void aggregate(const RawReading& r, SensorReading& v) noexcept override;
+  /// `UltrasonicRange` (mrroc/sensors/ultrasonic.hpp): dead_zone and max_range.
+  void reconfigure(const Message& configuration) override;
 
  private:
   void configure_beam(const config::SensorEntry& entry);
 
   std::size_t rays_ = 1;
   Beam beam_;
+  Range hardware_;  ///< of the deployment
   double max_range_ = 0;
   double dead_zone_ = 0;
   double noise_deviation_ = 0;

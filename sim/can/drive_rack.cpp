@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "can/fence.hpp"
 #include "clock/wall/monotonic.hpp"
 
 namespace mrroc::sim {
@@ -11,9 +12,8 @@ using namespace canopen;
 
 namespace {
 
-constexpr std::int64_t kGlance = 2'000'000;      // ns: between two checks of the time and of `stop`
-constexpr double kOldest = 10;                   // periods for which a shaft is extrapolated
-constexpr std::int64_t kPatience = 500'000'000;  // ns: lockstep, for set-points that belong to a cycle
+constexpr std::int64_t kGlance = 2'000'000;  // ns: between two checks of the time and of `stop`
+constexpr double kOldest = 10;               // periods for which a shaft is extrapolated
 
 }  // namespace
 
@@ -23,6 +23,8 @@ DriveRack::DriveRack(const config::DriveTable& table, const RobotParameters& rob
       plant_(plant),
       plant_tick_(std::move(plant_tick)),
       time_(time),
+      master_(table.master),
+      sync_(table.sync),
       at_cycle_(std::move(at_cycle)),
       period_(std::llround(period * 1e9)) {
   nodes_.reserve(robot.axes.size());
@@ -70,15 +72,21 @@ void DriveRack::serve() {
     for (IoNode& node : io_nodes_) node.update(now());
     const std::int64_t since = clock::monotonic_ns() - synced_;
     // lost set-points: the bus has lost a frame, or the master has died
-    if (open_ && since > (time_ == Time::wall ? period_ : kPatience)) drive();
+    if (open_ && time_ == Time::wall && since > period_) drive();
     if (time_ == Time::wall && any_powered() && since > 2 * period_) begin_cycle(false);
   }
 }
 
 void DriveRack::take(const can::Frame& frame) {
-  if (!frame.error && frame.id == kSync) {
+  if (!frame.error && frame.id == sync_) {
     if (open_) drive();
     begin_cycle(true);
+    return;
+  }
+  if (const auto fence = can::fence_of(frame, can::kFence)) {
+    if (fence->master != master_) return;
+    if (fence->ends_cycle && open_) drive();
+    bus_.send(can::to_frame(*fence, can::kReturnedFence));
     return;
   }
   for (DriveNode& node : nodes_) node.take(frame, now());
@@ -89,7 +97,9 @@ void DriveRack::take(const can::Frame& frame) {
 void DriveRack::begin_cycle(bool on_bus) {
   synced_ = clock::monotonic_ns();
   measure();
-  if (at_cycle_) at_cycle_(tick_, now(), nodes_);
+  ControllerIo inputs = input_.inputs;
+  if (at_cycle_) at_cycle_({tick_, now(), nodes_, io_nodes_, inputs});
+  for (IoNode& node : io_nodes_) node.measure(inputs);
   open_ = true;
   if (!on_bus) return drive();
   cycles_.fetch_add(1);
@@ -116,7 +126,6 @@ void DriveRack::measure() {
     const auto k = static_cast<Eigen::Index>(i);
     nodes_[i].measure(input_.motors[k] + age * per_period_[k], input_.current[k], input_.switches[i]);
   }
-  for (IoNode& node : io_nodes_) node.measure(input_.inputs);
 }
 
 void DriveRack::drive() {

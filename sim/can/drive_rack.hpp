@@ -17,8 +17,9 @@ namespace mrroc::sim {
 /// each cycle, that is at each SYNC, it reads the plant, lets every node answer, takes the nodes' set-points and writes
 /// the plant's currents. Real drives measure at the SYNC, but the plant has its own ticks: a shaft is extrapolated to
 /// the SYNC with its last velocity. One relay controls the brakes of all axes: they open while every drive has power.
-/// When a SYNC is missing while a motor has power, the cycle runs without it after two periods, because drives
-/// continue.
+/// Under the real clock, when a SYNC is missing while a motor has power, the cycle runs without it after two periods,
+/// because drives continue. In simulated time a cycle ends when all set-points have come, or at the fence of its master
+/// (`can::Fence`), which is returned.
 ///
 /// The I/O nodes on the same bus measure the plant's inputs at each SYNC, and send them before the drives answer; the
 /// plant gets their outputs with the currents.
@@ -35,8 +36,15 @@ class DriveRack {
   using PlantTick = std::function<Newest(Tick last, bool wait, std::int64_t now)>;
   /// The drives' own time: wall time, or the plant's ticks in simulated time.
   enum class Time { wall, plant };
-  /// Changes the nodes at tick `tick` of the plant, before they answer its SYNC; `now`: their time, ns.
-  using AtCycle = std::function<void(Tick tick, std::int64_t now, std::vector<DriveNode>& nodes)>;
+  /// One cycle, before the nodes answer its SYNC.
+  struct Cycle {
+    Tick tick = 0;         ///< of the plant
+    std::int64_t now = 0;  ///< the nodes' time, ns
+    std::vector<DriveNode>& drives;
+    std::vector<IoNode>& io_nodes;
+    ControllerIo& inputs;  ///< the plant's, which the I/O nodes measure next
+  };
+  using AtCycle = std::function<void(const Cycle& cycle)>;
 
   /// `bus`, `plant` must outlive it. `period` in s. `io`: the I/O nodes.
   DriveRack(const config::DriveTable& table, const RobotParameters& robot, double period, can::Bus& bus,
@@ -69,6 +77,8 @@ class DriveRack {
   edp::Hardware& plant_;
   PlantTick plant_tick_;
   Time time_;
+  canopen::NodeId master_;
+  std::uint32_t sync_;  ///< identifier of its SYNC
   AtCycle at_cycle_;
   std::int64_t period_;  ///< ns
   std::vector<DriveNode> nodes_;

@@ -36,7 +36,8 @@ void set(Kind kind, bool on, std::int64_t now, DriveNode& node) {
 
 InjectedDrives::InjectedDrives(const std::vector<faults::FaultSwitch>& faults, const RobotParameters& robot) {
   faults::check_axes(faults, robot);
-  for (const faults::FaultSwitch& each : faults) faults_.push_back({each});
+  for (const faults::FaultSwitch& each : faults)
+    if (each.fault().io == faults::IoPart::none) faults_.push_back({each});
 }
 
 void InjectedDrives::apply(Tick tick, std::int64_t now, std::vector<DriveNode>& nodes) {

@@ -7,7 +7,7 @@
 
 namespace mrroc::sim {
 
-/// Injects the faults of single simulated drives of a run. One thread.
+/// Injects the faults of single simulated drives of a run; it ignores those of I/O nodes. One thread.
 class InjectedDrives {
  public:
   /// Throws NonFatalError: an axis that the robot does not have.

@@ -10,6 +10,7 @@
 #include "can/bus.hpp"
 #include "can/hub.hpp"
 #include "clock/wall/monotonic.hpp"
+#include "clock/wall/wait.hpp"
 #include "config/drives/io_table.hpp"
 #include "config/robot_place.hpp"
 #include "drivers/mujoco/mujoco_hardware.hpp"
@@ -18,6 +19,7 @@
 #include "process/standard_files.hpp"
 #include "sim/can/drive_rack.hpp"
 #include "sim/can/injected_drives.hpp"
+#include "sim/can/injected_io.hpp"
 #include "world/mapped_world.hpp"
 
 namespace mrroc::edp {
@@ -25,6 +27,7 @@ namespace mrroc::edp {
 namespace {
 
 constexpr std::string_view kHub = "unix:";
+constexpr std::int64_t kHubTimeout = 60 * clock::kSecond, kBetweenAttempts = clock::kSecond / 50;
 constexpr Tick kGlanceTicks = 10;  // without a SYNC, after which the master counts as gone
 
 /// The simulated drives of one robot: the hardware of its EDP, which reaches them by the bus alone.
@@ -36,16 +39,21 @@ class Drives {
         models_(factory(place_.entry.parameters)),
         world_(world::MappedWorld::attach(process.arguments().world_fd)),
         plant_(*models_.front(), *world_, place_.index, MujocoHardware::Timing::newest, place_.entry.synchronised),
-        hub_(open_hub(place_.entry.can->interface)),
-        bus_(can::open_bus(place_.entry.can->interface)),
+        hub_(open_hub(process.deployment(), place_)),
+        bus_(open_bus(process, place_.entry.can->interface)),
         faults_(process.faults().of(process.name(), process.clock()), models_.front()->parameters()),
         table_(config::read_drive_table(place_.entry.can->drives, models_.front()->parameters())),
+        io_(io_table(*place_.entry.can, table_)),
+        io_faults_(process.faults().of(process.name(), process.clock()), io_),
         rack_(
             table_, models_.front()->parameters(), process.clock().period(), *bus_, plant_,
             [this](Tick last, bool wait, std::int64_t now) { return newest(last, wait, now); },
             process.clock().simulated() ? sim::DriveRack::Time::plant : sim::DriveRack::Time::wall,
-            [this](Tick tick, std::int64_t now, auto& nodes) { faults_.apply(tick, now, nodes); },
-            io_table(*place_.entry.can, table_)) {}
+            [this](const sim::DriveRack::Cycle& cycle) {
+              faults_.apply(cycle.tick, cycle.now, cycle.drives);
+              io_faults_.apply(cycle.tick, cycle.now, cycle.io_nodes, cycle.inputs);
+            },
+            io_) {}
 
   /// Its own thread serves the bus; this one waits for the end, which comes when no robot is driven any more.
   void serve() {
@@ -82,9 +90,28 @@ class Drives {
   }
 
  private:
-  static std::unique_ptr<can::Hub> open_hub(const std::string& interface) {
+  /// The hub of several robots is opened by the drives of the first one.
+  static std::unique_ptr<can::Hub> open_hub(const config::Deployment& deployment, const config::RobotPlace& place) {
+    const std::string& interface = place.entry.can->interface;
     if (!interface.starts_with(kHub)) return nullptr;
+    for (std::size_t i = 0; i < place.index; ++i) {
+      const config::RobotEntry& earlier = deployment.robots[i];
+      if (earlier.can && earlier.driver.simulated && earlier.can->interface == interface) return nullptr;
+    }
     return std::make_unique<can::Hub>(interface.substr(kHub.size()));
+  }
+
+  /// Another process may not have opened the hub yet.
+  static std::unique_ptr<can::Bus> open_bus(process::Process& process, const std::string& interface) {
+    const std::int64_t end = clock::monotonic_ns() + kHubTimeout;
+    for (;;) {
+      try {
+        return can::open_bus(interface);
+      } catch (const std::runtime_error&) {
+        if (!interface.starts_with(kHub) || clock::monotonic_ns() > end || process.clock().stopping()) throw;
+        clock::pause(kBetweenAttempts);
+      }
+    }
   }
 
   static config::IoTable io_table(const config::CanEntry& can, const config::DriveTable& drives) {
@@ -121,6 +148,8 @@ class Drives {
   std::unique_ptr<can::Bus> bus_;
   sim::InjectedDrives faults_;
   config::DriveTable table_;
+  config::IoTable io_;
+  sim::InjectedIo io_faults_;
   sim::DriveRack rack_;
 };
 

@@ -47,11 +47,15 @@ std::size_t sensor_of_process(const config::Deployment& deployment, const std::s
   throw SystemError(ErrorCode::simulator, "the deployment has no sensor for the process " + name);
 }
 
-void serve_netft(process::Process& process, const NetftSettings& settings) {
+void serve_netft(process::Process& process, NetftSettings settings) {
   const std::size_t slot = sensor_of_process(process.deployment(), process.name());
   const world::MappedWorld world = world::MappedWorld::attach(process.arguments().world_fd);
   clock::Clock& clock = process.clock();
   await_world(clock, *world, slot);
+  if (clock.simulated())
+    settings.now = [&world = *world, slot, period = clock.period()] {
+      return netft::to_ns(static_cast<double>(newest_of(world, slot).tick) * period);
+    };
   NetftServer server(settings, load_of_world(*world, slot));
   process.start();
   RawReading reading;

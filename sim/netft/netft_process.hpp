@@ -16,7 +16,8 @@ NetftLoad load_of_world(const world::WorldMemory& world, std::size_t slot);
 /// when the deployment has none.
 std::size_t sensor_of_process(const config::Deployment& deployment, const std::string& name);
 
-/// The simulated Net F/T of one sensor of a deployment, until the deployment has ended. Throws Stopped.
-void serve_netft(process::Process& process, const NetftSettings& settings);
+/// The simulated Net F/T of one sensor of a deployment, until the deployment has ended. Under simulated time its time
+/// is that of the world, and it answers each request with the present tick's load. Throws Stopped.
+void serve_netft(process::Process& process, NetftSettings settings);
 
 }  // namespace mrroc::sim

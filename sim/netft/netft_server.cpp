@@ -80,7 +80,7 @@ NetftServer::NetftServer(const NetftSettings& settings, NetftLoad load)
   port_ = bind_to(udp_, settings.address, settings.port);
   http_port_ = bind_to(listener_, settings.address, settings.http_port);
   if (::listen(listener_.get(), static_cast<int>(kMaxConnections)) != 0) fail_by_system("no server");
-  begin_ns_ = powered_ns_ = clock::monotonic_ns();
+  begin_ns_ = powered_ns_ = now();
   thread_ = std::thread([this] { serve(); });
 }
 
@@ -103,7 +103,7 @@ void NetftServer::restart() {
   const std::lock_guard lock(mutex_);
   clients_.clear();
   bias_ = {};
-  powered_ns_ = clock::monotonic_ns();
+  powered_ns_ = now();
   samples_ = 0;
 }
 
@@ -117,6 +117,8 @@ std::size_t NetftServer::clients() const {
   return clients_.size();
 }
 
+std::int64_t NetftServer::now() const { return settings_.now ? settings_.now() : clock::monotonic_ns(); }
+
 void NetftServer::serve() {
   for (;;) {
     wait();
@@ -124,7 +126,7 @@ void NetftServer::serve() {
     if (::poll(&end, 1, 0) > 0) return;
     const std::lock_guard lock(mutex_);
     take_requests();
-    measure(clock::monotonic_ns());
+    measure(now());
     serve_http();
   }
 }
@@ -138,7 +140,7 @@ void NetftServer::wait() {
     for (const Connection& each : connections_) all.push_back({each.socket.get(), POLLIN, 0});
     if (!clients_.empty()) {
       const double due = static_cast<double>(samples_) / settings_.rate;
-      limit_ns = std::clamp<std::int64_t>(powered_ns_ + netft::to_ns(due) - clock::monotonic_ns(), 0, clock::kSecond);
+      limit_ns = std::clamp<std::int64_t>(powered_ns_ + netft::to_ns(due) - now(), 0, clock::kSecond);
     }
   }
   const timespec limit = clock::to_timespec(limit_ns);
@@ -155,13 +157,23 @@ void NetftServer::take_requests() {
     const auto request = netft::decode_request(std::span(packet).first(static_cast<std::size_t>(size)));
     if (!request || faults_.deaf) continue;
     ++requests_;
-    obey(*request, from);
+    const bool one = request->command == Command::start_realtime && request->count == 1;
+    if (settings_.now && one)
+      answer(from);
+    else
+      obey(*request, from);
   }
+}
+
+/// Time stands still: the record is that of the present moment, not of the next sample.
+void NetftServer::answer(const sockaddr_in& from) {
+  Client client{from, Command::start_realtime, 1, 0, {}, {}};
+  add(client, record(now()));
 }
 
 void NetftServer::obey(const netft::Request& request, const sockaddr_in& from) {
   if (request.command == Command::set_bias) {
-    record(clock::monotonic_ns());
+    record(now());
     for (std::size_t i = 0; i < 6; ++i) bias_[i] += newest_.counts[i];
     return;
   }
@@ -175,8 +187,7 @@ void NetftServer::obey(const netft::Request& request, const sockaddr_in& from) {
   if (!start) return;
   if (clients_.size() == kMaxClients) clients_.erase(clients_.begin());
   if (clients_.empty()) {  // the first sample is the present one
-    samples_ =
-        static_cast<std::uint64_t>(static_cast<double>(clock::monotonic_ns() - powered_ns_) * 1e-9 * settings_.rate);
+    samples_ = static_cast<std::uint64_t>(static_cast<double>(now() - powered_ns_) * 1e-9 * settings_.rate);
   }
   clients_.push_back({from, request.command, request.count, 0, {}, {}});
 }
@@ -199,8 +210,7 @@ netft::Record NetftServer::record(std::int64_t now) {
   if (faults_.frozen) return newest_;
   const Wrench load = load_(static_cast<double>(now - begin_ns_) * 1e-9);
   netft::Record made;
-  made.ft_sequence =
-      static_cast<std::uint32_t>(std::llround(static_cast<double>(now - powered_ns_) * 1e-9 * netft::kMaxRate));
+  made.ft_sequence = netft::measurements_until(now - powered_ns_);
   made.status = faults_.status;
   if (load.head<3>().cwiseAbs().maxCoeff() > settings_.force_range ||
       load.tail<3>().cwiseAbs().maxCoeff() > settings_.torque_range) {

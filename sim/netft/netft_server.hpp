@@ -32,6 +32,8 @@ struct NetftSettings {
   double force_range = 1e3;              ///< N: beyond it on any axis it reports saturation
   double torque_range = 1e2;             ///< N m
   std::string page;                      ///< configuration page in place of its own; empty: its own
+  /// Its time, ns; empty: CLOCK_MONOTONIC. While it stands still, each request of a record is answered at once.
+  std::function<std::int64_t()> now;
 };
 
 /// Faults of a simulated Net F/T and of the network to its clients; probabilities per packet.
@@ -92,10 +94,12 @@ class NetftServer {
     std::int64_t deadline = 0;
   };
 
+  std::int64_t now() const;
   void serve();
   void wait();
   void take_requests();
   void obey(const netft::Request& request, const sockaddr_in& from);
+  void answer(const sockaddr_in& from);
   void measure(std::int64_t now);
   netft::Record record(std::int64_t now);
   void add(Client& client, netft::Record record);

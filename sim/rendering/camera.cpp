@@ -49,7 +49,7 @@ Renderer::Renderer(mjModel& model, int width, int height, PictureQuality quality
   mjr_defaultContext(&context_);
   try {
     mjv_makeScene(&model_, &scene_, kMaxGeoms);
-    scene_.flags[mjRND_SHADOW] = quality.shadows ? 1 : 0;
+    use_shadows(quality.shadows);
     mjr_makeContext(&model_, &context_, mjFONTSCALE_100);
     mjr_setBuffer(mjFB_OFFSCREEN, &context_);
   } catch (const MujocoError& error) {

@@ -47,6 +47,8 @@ class Renderer {
   bool place(const world::WorldSnapshot& snapshot);
   /// Of body `body` in the world.
   Pose body_pose(int body) const;
+  /// Whether lights cast shadows from now on; at first as `quality` has it.
+  void use_shadows(bool shadows) noexcept { scene_.flags[mjRND_SHADOW] = shadows ? 1 : 0; }
   /// The placed state seen from `view`, into `picture`, which it allocates the first time; of `width` x `height`
   /// pixels, at most the size given at construction.
   void draw(const Viewpoint& view, int width, int height, Picture& picture);

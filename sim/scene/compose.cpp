@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "config/table.hpp"
+#include "sim/errors/misplaced_links.hpp"
 #include "sim/scene/mjcf_part.hpp"
 #include "sim/scene/names.hpp"
 #include "sim/scene/placement.hpp"
@@ -124,6 +125,7 @@ Composition compose(const std::filesystem::path& scene_file, const std::vector<R
   for (const RobotPart& robot : robots) {
     parts.push_back(read_part(robot.mjcf, robot.name + "/"));
     check_same_compiler(scene, parts.back());
+    if (robot.errors) misplace_links(parts.back().world, *robot.errors, robot.name);
   }
   std::ranges::move(place_robots(robots, parts), std::back_inserter(world));
   for (std::size_t i = 0; i < robots.size(); ++i) {

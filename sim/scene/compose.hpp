@@ -1,9 +1,11 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "config/entries/errors_entry.hpp"
 #include "mrroc/types.hpp"
 #include "sim/scene/xml.hpp"
 
@@ -17,7 +19,8 @@ struct RobotPart {
   /// The robot carries a force/torque sensor: `<robot>/force_torque/force` and `.../torque` on site `<robot>/wrist`
   /// are added unless its MJCF declares them.
   bool force_torque = false;
-  std::string mount = {};  ///< robot that carries it; empty: it is fixed in the world
+  std::string mount = {};                          ///< robot that carries it; empty: it is fixed in the world
+  std::optional<config::ErrorsEntry> errors = {};  ///< of its links
 };
 
 /// A world's MJCF before MuJoCo compiles it.

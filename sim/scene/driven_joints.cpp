@@ -148,6 +148,10 @@ void DrivenJoints::drive(mjModel& model, const world::JointDrive& drive) noexcep
   for (std::size_t i = 0; i < count_; ++i) model.dof_damping[places_[i].dof] = entry(drive.damping, i, i);
 }
 
+void DrivenJoints::set_friction(mjModel& model, const std::array<double, kMaxJoints>& friction) const noexcept {
+  for (std::size_t i = 0; i < count_; ++i) model.dof_frictionloss[places_[i].dof] = friction[i];
+}
+
 void DrivenJoints::brake(mjModel& model, mjData& data) noexcept {
   if (braked_) return;
   braked_ = true;
@@ -157,6 +161,7 @@ void DrivenJoints::brake(mjModel& model, mjData& data) noexcept {
     joints_[i].held = data.qpos[places_[i].position];
     data.qvel[places_[i].dof] = 0;
     model.dof_damping[places_[i].dof] = 0;
+    model.dof_frictionloss[places_[i].dof] = 0;
   }
 }
 

@@ -47,6 +47,8 @@ class DrivenJoints {
   bool couples_one_chain(const world::JointDrive& drive) const noexcept;
   /// Takes the drive of the coming tick; brakes off.
   void drive(mjModel& model, const world::JointDrive& drive) noexcept;
+  /// Coulomb friction of the joints, N m or N, until the brakes engage; a constraint of MuJoCo's (dof_frictionloss).
+  void set_friction(mjModel& model, const std::array<double, kMaxJoints>& friction) const noexcept;
   /// Brakes on, here and now.
   void brake(mjModel& model, mjData& data) noexcept;
   bool braked() const noexcept { return braked_; }

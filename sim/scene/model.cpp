@@ -5,6 +5,7 @@
 
 #include "config/table.hpp"
 #include "mrroc/errors.hpp"
+#include "sim/milling.hpp"
 #include "sim/scene/mujoco_error_text.hpp"
 #include "sim/scene/mujoco_messages.hpp"
 
@@ -72,6 +73,7 @@ Model load_model(const Composition& composition) {
     Model model(mj_loadXML(kFile, files.vfs.get(), error.data(), static_cast<int>(error.size())));
     if (!model) refuse(composition, error.data());
     if (!messages.warnings().empty()) refuse(composition, messages.warnings().front().c_str());
+    Milling::find(*model, composition.scene);  // every picture shows the surface at the start
     return model;
   } catch (const MujocoError& mujoco_error) {
     refuse(composition, mujoco_error.what());

@@ -18,7 +18,7 @@ using Model = std::unique_ptr<mjModel, DeleteModel>;
 using Data = std::unique_ptr<mjData, DeleteData>;
 
 /// Compiles a composed world. Throws config::ConfigurationError with MuJoCo's own message and the position of the
-/// element it means: the file (scene or robot) and the line *there*.
+/// element it means: the file (scene or robot) and the line *there*; also for a wrong declaration of milling.
 Model load_model(const Composition& composition);
 
 /// Memory for the state of `model`, at its initial configuration. Throws SystemError without memory.

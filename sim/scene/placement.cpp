@@ -24,15 +24,10 @@ std::string numbers(std::initializer_list<double> values) {
 }
 
 Element based(const RobotPart& robot, const MjcfPart& part) {
-  const Eigen::Vector3d p = robot.base.translation();
-  const Eigen::Quaterniond q(robot.base.linear());
-  return {"body",
-          {{"name", robot.name},
-           {"pos", numbers({p.x(), p.y(), p.z()})},
-           {"quat", numbers({q.w(), q.x(), q.y(), q.z()})},
-           {"childclass", part.main_class}},
-          part.world,
-          part.origin};
+  Element body{"body", {{"name", robot.name}}, part.world, part.origin};
+  set_pose(body, robot.base);
+  body.set("childclass", part.main_class);
+  return body;
 }
 
 /// The element `site` of this name and the body that it is in.
@@ -79,6 +74,22 @@ Element placed(std::size_t index, const std::vector<RobotPart>& robots, const st
 }
 
 }  // namespace
+
+void set_pose(Element& body, const Pose& pose) {
+  const Eigen::Vector3d p = pose.translation();
+  const Eigen::Quaterniond q(pose.linear());
+  body.set("pos", numbers({p.x(), p.y(), p.z()}));
+  body.set("quat", numbers({q.w(), q.x(), q.y(), q.z()}));
+}
+
+Element take_frame(Element& body) {
+  Element frame{"body", {}, {}, body.origin};
+  for (const std::string_view key : kFrame) {
+    if (const std::string* value = body.find(key)) frame.set(key, *value);
+    body.remove(key);
+  }
+  return frame;
+}
 
 std::vector<Element> place_robots(const std::vector<RobotPart>& robots, const std::vector<MjcfPart>& parts) {
   std::vector<Element> bodies;

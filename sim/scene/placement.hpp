@@ -7,6 +7,11 @@
 
 namespace mrroc::sim {
 
+/// Sets `pos` and `quat` of a body to `pose`.
+void set_pose(Element& body, const Pose& pose);
+/// A nameless body at the frame of `body` on its parent; the attributes that give the frame are moved there.
+Element take_frame(Element& body);
+
 /// The robots as bodies of the world: the content of the worldbody of `parts[i]` is in a body named as
 /// `robots[i]`, at its base pose. A robot that is carried is in the body that has its carrier's site "<carrier>/tool",
 /// at its base pose in the frame of that site (as given by the site's own attributes). The bodies are rigidly joined,

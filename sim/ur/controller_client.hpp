@@ -30,6 +30,7 @@ struct ControllerServers::Client {
     std::vector<const VirtualController::Input*> fields;
   };
   std::map<std::uint8_t, InputRecipe> inputs;
+  bool drives = false;  ///< lockstep: it writes the set-points
   struct Held {
     std::uint64_t due;  ///< period of the controller
     std::vector<std::uint8_t> bytes;

@@ -14,18 +14,13 @@
 #include <system_error>
 
 #include "sim/ur/controller_client.hpp"
-#include "sim/ur/realtime_message.hpp"
-#include "sim/ur/robot_state_message.hpp"
 #include "sim/ur/tcp_listener.hpp"
 
 namespace mrroc::sim::ur {
 
 namespace {
 
-constexpr std::size_t kMostQueued = 1 << 20;  // bytes of a client that does not read
 constexpr std::size_t kLongestProgram = 1 << 20;
-constexpr int kStatePeriods = 50;  // of the primary and secondary interfaces
-constexpr int kPeriodsOfCb3 = 4;   // of 2 ms
 
 [[noreturn]] void fail(const std::string& what) { throw std::system_error(errno, std::generic_category(), what); }
 
@@ -56,21 +51,26 @@ ControllerServers::ControllerServers(const Options& options, std::unique_ptr<Joi
     for (const Listener& listener : listeners_) ::close(listener.fd);
     throw;
   }
-  const auto ns = std::lround(options.controller.period / options.clock_rate * 1e9);
-  const itimerspec interval{{0, ns}, {0, ns}};
+  const auto ns = options.lockstep_register ? 0 : std::lround(options.controller.period / options.clock_rate * 1e9);
+  const itimerspec interval{{0, ns}, {0, ns}};  // 0: it never expires
   ::timerfd_settime(timer_, 0, &interval, nullptr);
   thread_ = std::thread([this] { run(); });
 }
 
 ControllerServers::~ControllerServers() {
   end_.store(true);
-  const std::uint64_t one = 1;
-  [[maybe_unused]] const ssize_t written = ::write(wake_, &one, sizeof one);
+  wake();
   thread_.join();
   for (const Client& client : clients_) ::close(client.fd);
   for (const Listener& listener : listeners_) ::close(listener.fd);
   ::close(wake_);
   ::close(timer_);
+}
+
+/// Lets the thread look at the clients.
+void ControllerServers::wake() const noexcept {
+  const std::uint64_t one = 1;
+  [[maybe_unused]] const ssize_t written = ::write(wake_, &one, sizeof one);
 }
 
 std::uint64_t ControllerServers::periods() {
@@ -141,6 +141,7 @@ void ControllerServers::restart() {
 
 void ControllerServers::end_clients(bool all) {
   for (Client& client : clients_) client.ended = client.ended || all || client.service == Service::rtde;
+  wake();
 }
 
 void ControllerServers::run() {
@@ -157,7 +158,8 @@ void ControllerServers::run() {
     }
     ::poll(entries.data(), entries.size(), -1);
     const std::lock_guard lock(mutex_);
-    std::uint64_t periods = 0;
+    std::uint64_t periods = 0, wakes = 0;
+    [[maybe_unused]] const ssize_t woken = ::read(wake_, &wakes, sizeof wakes);
     if (::read(timer_, &periods, sizeof periods) != sizeof periods) periods = 0;
     for (std::size_t i = 0; i < listeners_.size(); ++i)
       if (entries[2 + i].revents != 0) accept(listeners_[i]);
@@ -169,28 +171,8 @@ void ControllerServers::run() {
       if (client.ended) ::close(client.fd);
       return client.ended;
     });
+    if (options_.lockstep_register) answered_or_gone_.notify_all();
   }
-}
-
-void ControllerServers::step() {
-  controller_.step();
-  ++steps_;
-  const bool loses = lose_ > 0 || (lose_every_ > 0 && steps_ % static_cast<std::uint64_t>(lose_every_) == 0);
-  for (Client& client : clients_) {
-    if (client.service == Service::rtde && client.started && steps_ % client.every == 0 && !loses) send_state(client);
-    const bool states = client.service == Service::primary || client.service == Service::secondary;
-    if (states && steps_ % kStatePeriods == 0) send(client, robot_state_message(controller_));
-    const std::uint64_t realtime_periods = is_e_series(controller_.version()) ? 1 : kPeriodsOfCb3;
-    if (client.service == Service::realtime && steps_ % realtime_periods == 0)
-      send(client, realtime_message(controller_));
-    const bool reads = client.queued.size() < kMostQueued;
-    for (; reads && !client.held.empty() && client.held.front().due <= steps_; client.held.pop_front()) {
-      const std::vector<std::uint8_t>& bytes = client.held.front().bytes;
-      client.queued.insert(client.queued.end(), bytes.begin(), bytes.end());
-    }
-  }
-  for (int* const rest : {&lose_, &repeat_, &delay_})
-    if (*rest > 0) --*rest;
 }
 
 void ControllerServers::accept(Listener& listener) {
@@ -261,18 +243,6 @@ void ControllerServers::take_programs(Client& client) {
     text.erase(0, end + 5);
   }
   if (text.size() > kLongestProgram) client.ended = true;
-}
-
-void ControllerServers::send(Client& client, const std::vector<std::uint8_t>& bytes) {
-  if (client.queued.size() > kMostQueued) return;
-  client.queued.insert(client.queued.end(), bytes.begin(), bytes.end());
-}
-
-void ControllerServers::flush(Client& client) {
-  if (client.queued.empty()) return;
-  const ssize_t size = ::send(client.fd, client.queued.data(), client.queued.size(), MSG_NOSIGNAL);
-  if (size > 0) client.queued.erase(client.queued.begin(), client.queued.begin() + size);
-  if (size < 0 && errno != EAGAIN && errno != EINTR) client.ended = true;
 }
 
 }  // namespace mrroc::sim::ur

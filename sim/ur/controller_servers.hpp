@@ -1,11 +1,13 @@
 #pragma once
 
 #include <atomic>
+#include <condition_variable>
 #include <cstdint>
 #include <functional>
 #include <list>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -22,8 +24,10 @@ namespace mrroc::sim::ur {
 ///   30003  real-time interface: takes programs, sends the robot's state in each period, of a CB3 at 125 Hz
 ///
 /// One thread serves all of them and steps the controller on a clock of its own, faster than the wall clock by
-/// `clock_rate`. Periods that the host has missed are made
-/// up for, so the controller's time does not fall behind.
+/// `clock_rate`. Periods that the host has missed are made up for, so the controller's time does not fall behind.
+///
+/// In lockstep the controller has no clock: each call of `advance` is one period, which waits for the set-points of the
+/// client that writes `lockstep_register`, the driver.
 class ControllerServers {
  public:
   struct Options {
@@ -34,6 +38,8 @@ class ControllerServers {
     int secondary_port = 30002;
     int realtime_port = 30003;
     double clock_rate = 1;  ///< seconds of the controller in a second of the host
+    /// Input register that holds the number of the driver's set-points; nothing: the controller has its own clock.
+    std::optional<int> lockstep_register;
     VirtualController::Options controller;
   };
   struct Ports {
@@ -47,6 +53,16 @@ class ControllerServers {
   ControllerServers& operator=(const ControllerServers&) = delete;
 
   const Ports& ports() const noexcept { return ports_; }
+
+  /// How a period of lockstep has ended.
+  enum class Period {
+    answered,        ///< the set-points of the period have come
+    without_driver,  ///< no client writes them
+    unanswered       ///< the timeout came first
+  };
+  /// Period k of lockstep, from 0: sends the packages of k, whose timestamp is that of the period's begin, waits for
+  /// set-points with the number k + 1, and moves the joints. `timeout` of wall time, ns. One thread.
+  Period advance(std::int64_t timeout);
 
   std::uint64_t periods();     ///< of the controller so far; any thread
   std::size_t rtde_clients();  ///< connected now; any thread
@@ -71,7 +87,11 @@ class ControllerServers {
   struct Listener;
 
   void run();
+  void wake() const noexcept;
   void step();
+  void send_packages();
+  bool has_driver() const;
+  std::string lockstep_field() const;
   void accept(Listener& listener);
   void take(Client& client);
   void take_rtde(Client& client);
@@ -96,6 +116,8 @@ class ControllerServers {
   std::uint64_t steps_ = 0;
   int lose_ = 0, lose_every_ = 0, repeat_ = 0, delay_ = 0, postpone_ = 0;
   bool refuse_ = false;
+  std::int32_t answered_ = 0;  ///< lockstep: number of the driver's newest set-points
+  std::condition_variable answered_or_gone_;
   int wake_ = -1, timer_ = -1;
   std::atomic<bool> end_{false};
   std::thread thread_;

@@ -32,6 +32,8 @@ struct Flange {
 class JointPlant {
  public:
   virtual ~JointPlant() = default;
+  /// Measures the joints now; `step` measures them, too.
+  virtual void measure() {}
   /// One period of the controller with these targets.
   virtual void step(const JointTargets& targets, double period) = 0;
   virtual Six position() const = 0;  ///< rad

@@ -113,7 +113,11 @@ void ControllerServers::set_up_inputs(Client& client, Bytes payload) {
     recipe.recipe.types.push_back(field->type);
     recipe.fields.push_back(field);
   }
-  if (reply.id != 0) client.inputs.emplace(id, std::move(recipe));
+  if (reply.id != 0) {
+    const std::string number = lockstep_field();
+    client.drives = client.drives || std::find(recipe.names.begin(), recipe.names.end(), number) != recipe.names.end();
+    client.inputs.emplace(id, std::move(recipe));
+  }
   answer(client, static_cast<std::uint8_t>(PacketType::setup_inputs), reply.payload());
 }
 
@@ -124,6 +128,13 @@ void ControllerServers::take_data(Client& client, Bytes payload) {
   if (!decode_data(found->second.recipe, payload, values))
     throw ProtocolError("a data package of another length than its recipe");
   for (std::size_t i = 0; i < values.size(); ++i) found->second.fields[i]->set(values[i]);
+  if (client.drives)
+    answered_ = controller_.registers().integer_inputs[static_cast<std::size_t>(*options_.lockstep_register)];
+}
+
+/// The field with the number of the driver's set-points; empty: not in lockstep.
+std::string ControllerServers::lockstep_field() const {
+  return options_.lockstep_register ? "input_int_register_" + std::to_string(*options_.lockstep_register) : "";
 }
 
 void ControllerServers::send_state(Client& client) {

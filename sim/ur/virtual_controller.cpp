@@ -24,6 +24,11 @@ void VirtualController::step() {
   plant_->step(targets_, options_.period);
 }
 
+void VirtualController::measure() {
+  plant_->measure();
+  exchange_terminals();
+}
+
 void VirtualController::exchange_terminals() {
   ControllerIo outputs;
   outputs.digital = static_cast<std::uint16_t>(digital_outputs_ & 0xffff);

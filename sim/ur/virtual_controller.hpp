@@ -38,6 +38,8 @@ class VirtualController {
   };
   VirtualController(Options options, std::unique_ptr<JointPlant> plant);
 
+  /// Measures the joints and the inputs before the period: what packages report in lockstep.
+  void measure();
   /// One period.
   void step();
   /// The time of a new period without the arm's: it boots.

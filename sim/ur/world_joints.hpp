@@ -10,8 +10,9 @@ namespace mrroc::sim::ur {
 /// The six joints of a robot in the simulated world, which follow set-points as `sim::JointServo` does. A target of
 /// positions moves between two periods with the difference of the last two.
 ///
-/// The controller and the world have periods of their own: each step takes the newest measurement and drives its tick.
-/// So the world's ticks may not be shorter than the controller's periods: the world would wait for each drive.
+/// Each step takes the newest measurement and drives its tick. In real time the controller and the world have periods
+/// of their own, so the world's ticks may not be shorter than the controller's periods: the world would wait for each
+/// drive.
 ///
 /// The flange is that of `sim::FlangeSensor` where the world measures it, else unloaded at the base; the terminals are
 /// those of `sim::ControllerWiring`.
@@ -21,6 +22,7 @@ class WorldJoints : public JointPlant {
   /// SystemError(configuration): the robot does not have six axes, or the file of its drives states no bandwidth.
   WorldJoints(const RobotParameters& robot, world::WorldMemory& memory, std::size_t slot);
 
+  void measure() override;
   void step(const JointTargets& targets, double period) override;
   Six position() const override { return position_; }
   Six velocity() const override { return velocity_; }
@@ -29,8 +31,6 @@ class WorldJoints : public JointPlant {
   void set_outputs(const ControllerIo& outputs) override { outputs_ = outputs; }
 
  private:
-  void measure();
-
   const RobotParameters robot_;
   world::WorldMemory& memory_;
   std::size_t slot_;

@@ -69,13 +69,17 @@ std::optional<std::uint64_t> whole_number(std::string_view text, DataType type, 
   return sum && fits(sum->at(node), type) ? std::optional(sum->at(node)) : std::nullopt;
 }
 
-/// The bits of a float; a zero may also be written as a whole number.
+/// A decimal number, or the bits of a float as a hexadecimal one, as some makers' tools write them. A zero may also be
+/// written as a whole number.
 std::optional<double> real_number(std::string_view text) {
   text = number_in(text);
   const auto value = core::to_finite(text);
   if (value && std::abs(*value) <= std::numeric_limits<float>::max()) return value;
   const auto whole = core::to_literal(text);
-  return !value && whole && *whole == 0 ? std::optional(0.0) : std::nullopt;
+  if (value || !whole || *whole > std::numeric_limits<std::uint32_t>::max()) return {};
+  const bool bits = text.starts_with("0x") || text.starts_with("0X");
+  const auto number = std::bit_cast<float>(static_cast<std::uint32_t>(*whole));
+  return *whole == 0 || (bits && std::isfinite(number)) ? std::optional<double>(number) : std::nullopt;
 }
 
 const std::string& configured(const ObjectEntry& entry) {
@@ -95,7 +99,8 @@ std::optional<std::int64_t> number(const std::string& text, DataType type, NodeI
 
 std::string expected_value(std::string_view text, DataType type) {
   if (text.empty() || size_of(type) == 0) return "";
-  if (type == DataType::real32) return real_number(text) ? "" : "a decimal number of 32 bits, such as -0.25";
+  if (type == DataType::real32)
+    return real_number(text) ? "" : "a decimal number of 32 bits, such as -0.25, or its bits, as 0xBE800000";
   if (whole_number(text, type, 1) && whole_number(text, type, kMaxNode)) return "";
   if (type == DataType::boolean) return "0 or 1";
   return "a number of " + std::to_string(8 * size_of(type)) + " bits such as 384, 0x180 or $NODEID+0x180";

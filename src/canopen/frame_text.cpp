@@ -81,6 +81,8 @@ std::string to_text(const can::Frame& frame) {
   if (frame.remote) return "request for " + to_text(Object{static_cast<std::uint16_t>(frame.id)}).substr(1, 4);
   if (frame.id == kNmt) return nmt_text(frame);
   if (frame.id == kSync) return "SYNC";
+  // of one of several masters: an EMCY has data
+  if (frame.id > kSync && frame.id <= kLastSync && frame.size == 0 && !frame.remote) return "SYNC " + std::string(id);
   if (frame.id == kTime) return "TIME: " + bytes_of(frame.bytes());
   if (of_a_node) return "node " + std::to_string(node) + " " + of_node(frame, function);
   return std::string(id) + ": " + bytes_of(frame.bytes());

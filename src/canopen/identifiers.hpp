@@ -15,6 +15,7 @@ inline constexpr NodeId kMaxNode = 127;
 /// three.
 inline constexpr std::uint32_t kNmt = 0x000;
 inline constexpr std::uint32_t kSync = 0x080;
+inline constexpr std::uint32_t kLastSync = 0x0ff;  ///< of those that 1005h may have here: EMCY of node 127
 inline constexpr std::uint32_t kTime = 0x100;
 inline constexpr std::uint32_t kEmergency = 0x080;
 inline constexpr std::uint32_t kTransmitPdo1 = 0x180;  ///< from the drive; number n at + 0x100 (n - 1)
@@ -38,7 +39,8 @@ enum class NmtState : std::uint8_t { boot_up = 0x00, stopped = 0x04, operational
 inline can::Frame nmt_frame(NmtCommand command, NodeId node) {
   return {kNmt, {static_cast<std::uint8_t>(command), node}};
 }
-inline can::Frame sync_frame() { return {kSync, {}}; }
+/// `identifier`: of a bus with several producers, kSync to kLastSync.
+inline can::Frame sync_frame(std::uint32_t identifier = kSync) { return {identifier, {}}; }
 inline can::Frame heartbeat_frame(NodeId node, NmtState state) {
   return {kHeartbeat + node, {static_cast<std::uint8_t>(state)}};
 }

@@ -15,6 +15,7 @@ struct Object {
 // CiA 301
 inline constexpr Object kDeviceType{0x1000};
 inline constexpr Object kErrorRegister{0x1001};
+inline constexpr Object kSyncIdentifier{0x1005};
 inline constexpr Object kCyclePeriod{0x1006};  ///< us between two SYNCs
 inline constexpr Object kDeviceName{0x1008};
 inline constexpr Object kConsumerHeartbeat{0x1016, 1};

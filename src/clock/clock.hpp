@@ -68,6 +68,10 @@ class Clock {
   /// Triggers it, unless it has been triggered. Any thread.
   virtual void set_off_fault(std::size_t /*index*/, Tick /*tick*/) noexcept {}
 
+  /// The deployment's task has ended: from this tick on its processes only leave, which takes as long as it takes. The
+  /// first call of all processes counts. The participant's thread.
+  virtual void end_task() noexcept {}
+
   // ---- for the links ------------------------------------------------------------------------------------------------
   /// Declares that this process sends (receives) on `topic`; returns the handle for `sent` (`arrived`). Before
   /// `start()`.

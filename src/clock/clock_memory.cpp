@@ -187,14 +187,27 @@ void set_off_fault(ClockMemory& memory, std::size_t index, Tick tick) noexcept {
   memory.fault_ticks[index].compare_exchange_strong(never, tick);
 }
 
+namespace {
+
+Tick newest_tick(const ClockMemory& memory) noexcept {
+  return memory.mode == Mode::real ? wall_tick(memory) : memory.tick.load();
+}
+
+}  // namespace
+
+void end_task(ClockMemory& memory) noexcept {
+  Tick never = kNever;
+  memory.task_end.compare_exchange_strong(never, newest_tick(memory));
+}
+
 void stop(ClockMemory& memory) noexcept {
   if (memory.state.load() == State::setting_up) {
     end(memory);
     return;
   }
   Tick never = kNever;
-  const Tick now = memory.mode == Mode::real ? wall_tick(memory) : memory.tick.load();
-  if (!memory.stop_tick.compare_exchange_strong(never, now)) return;
+  if (!memory.stop_tick.compare_exchange_strong(never, newest_tick(memory))) return;
+  end_task(memory);
   for (std::uint32_t i = 0; i < memory.participant_count; ++i) {
     ParticipantSlot& slot = memory.participants[i];
     if (slot.part.load() == Part::task) {

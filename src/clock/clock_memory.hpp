@@ -78,6 +78,7 @@ struct ClockMemory {
   std::uint32_t participant_count = 0;
   std::atomic<State> state{State::setting_up};
   std::atomic<Tick> stop_tick{kNever};  // newest tick when the owner requested the shutdown; kNever: not yet
+  std::atomic<Tick> task_end{kNever};   // when the task ended, a participant died, or the owner requested the shutdown
   std::array<std::atomic<Tick>, kMaxFaults> fault_ticks;  // from which an injected fault is active; kNever
   std::atomic<std::uint32_t> failing{0};                  // claimed by the writer of `error`
   FixedText<1023> error;                                  // valid when state is `failed`
@@ -142,6 +143,9 @@ void count_sent(ClockMemory& memory, int sender) noexcept;
 
 /// Triggers injected fault `index` from `tick` on, unless it has been triggered. Any thread.
 void set_off_fault(ClockMemory& memory, std::size_t index, Tick tick) noexcept;
+
+/// The task has ended, in the newest tick, unless it has ended before. Any thread.
+void end_task(ClockMemory& memory) noexcept;
 
 /// Begins the shutdown: tasks are interrupted and not waited for any more, time continues for drives and world. Before
 /// the start: as `end`. Any thread.

@@ -117,7 +117,7 @@ void ClockHost::participant_died(std::string_view name) {
     ParticipantSlot& slot = memory_->participants[i];
     if (slot.name.view() != name) continue;
     Membership alive = Membership::alive;
-    slot.membership.compare_exchange_strong(alive, Membership::dead);
+    if (slot.membership.compare_exchange_strong(alive, Membership::dead)) end_task(*memory_);
     memory_->host.open();
     return;
   }

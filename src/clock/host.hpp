@@ -71,6 +71,10 @@ class ClockHost {
   Tick stop_tick() const noexcept { return memory_->stop_tick.load(); }
   /// Real: a participant has found this process stopped by a signal, and has begun the shutdown itself.
   bool was_stopped() const noexcept { return memory_->host_was_stopped.load() != 0; }
+  /// The tick in which the task ended (Clock::end_task), a participant died, or `stop` was called, whichever came
+  /// first; kNever: it runs. In simulated time the same in every run, but for a death or a stop at a moment of wall
+  /// time.
+  Tick task_end() const noexcept { return memory_->task_end.load(); }
   /// Every wait in every process returns `interrupted` from now on. The first call of the two takes effect.
   void fail(std::string_view text);
   void end();

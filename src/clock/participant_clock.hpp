@@ -23,6 +23,7 @@ class ParticipantClock : public Clock {
   void interrupt() noexcept override;
   Tick fault_tick(std::size_t index) const noexcept override { return memory_->fault_ticks[index].load(); }
   void set_off_fault(std::size_t index, Tick tick) noexcept override { clock::set_off_fault(*memory_, index, tick); }
+  void end_task() noexcept override { clock::end_task(*memory_); }
   EmergencyStop& emergency_stop() noexcept override { return memory_->emergency_stop; }
 
  protected:

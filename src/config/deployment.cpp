@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "config/clock_names.hpp"
 #include "config/entries/answers.hpp"
 #include "config/entries/device_name.hpp"
 #include "config/entries/driver_entry.hpp"
@@ -15,8 +16,10 @@
 #include "config/entries/sensor_entry.hpp"
 #include "config/network/hosts.hpp"
 #include "config/network/network_entry.hpp"
+#include "config/network/ros2_entry.hpp"
 #include "config/resources.hpp"
 #include "config/table.hpp"
+#include "config/text/calibration_text.hpp"
 #include "config/text/file_text.hpp"
 #include "config/text/message_text.hpp"
 
@@ -30,13 +33,12 @@ constexpr std::size_t kMostProcesses = 60;  // with `mrroc` itself, DDS finds 61
 
 ClockMode read_clock(const Table& table) {
   if (!table.has("clock")) return ClockMode::lockstep;
-  const std::string clock = table.choice("clock", {"real", "paced", "lockstep"});
-  return clock == "real" ? ClockMode::real : clock == "paced" ? ClockMode::paced : ClockMode::lockstep;
+  return clock_named(table.choice("clock", clock_names())).value_or(ClockMode::lockstep);
 }
 
 void read_general(const Table& table, Deployment& deployment) {
   table.only({"name", "clock", "servo_period", "domain", "start_timeout", "heartbeat_timeout", "link_timeout",
-              "clock_error", "delta_limit"});
+              "clock_error", "delta_limit", "calibration"});
   deployment.name = table.text("name");
   check_name(table, "name", deployment.name);
   deployment.clock = read_clock(table);
@@ -67,7 +69,7 @@ void read_mp(const Table& root, bool here, MpEntry& mp) {
 }
 
 SimEntry read_sim(const Table& table, const Deployment& deployment) {
-  table.only({"scene", "timestep", "feeders", "host"});
+  table.only({"scene", "timestep", "feeders", "host", "errors"});
   const double servo_period = deployment.servo_period;
   SimEntry sim;
   sim.host = read_host(table, deployment);
@@ -80,6 +82,7 @@ SimEntry read_sim(const Table& table, const Deployment& deployment) {
   }
   sim.program = "mrroc_sim";
   sim.feeders = read_feeders(table);
+  if (const auto errors = table.optional_table("errors")) sim.errors = read_errors(*errors);
   return sim;
 }
 
@@ -180,11 +183,12 @@ std::vector<const HostEntry*> Deployment::hosts_used() const {
   return used;
 }
 
-Deployment load_deployment(const std::filesystem::path& file) { return load_deployment(file, read_file(file)); }
+namespace {
 
-Deployment load_deployment(const std::filesystem::path& file, const std::string& text) {
+/// Of a text that contains the keys of its calibration files.
+Deployment read_deployment(const std::filesystem::path& file, const std::string& text) {
   const Table root = Table::parse(file, text);
-  root.only({"deployment", "hosts", "mp", "robots", "sensors", "sim", "network", "events", "answers"});
+  root.only({"deployment", "hosts", "mp", "robots", "sensors", "sim", "network", "ros2", "events", "answers"});
   Deployment deployment;
   deployment.file = std::filesystem::absolute(file);
   deployment.here = this_host();
@@ -221,12 +225,32 @@ Deployment load_deployment(const std::filesystem::path& file, const std::string&
               "at most " + std::to_string(kMostProcesses));
   }
   deployment.network = read_network(root, deployment);
+  deployment.ros2 = read_ros2(root);
   deployment.events = read_events(root, deployment);
   deployment.answers = read_answers(root, deployment);
   if (deployment.robots.empty() && deployment.sensors.empty()) {
     root.fail("", "no robots and no sensors", "at least one [robots.NAME] or [sensors.NAME]");
   }
   return deployment;
+}
+
+}  // namespace
+
+Deployment load_deployment(const std::filesystem::path& file) { return load_deployment(file, read_file(file)); }
+
+Deployment load_deployment(const std::filesystem::path& file, const std::string& text) {
+  const std::string calibrated = with_calibrations(file, text);
+  Deployment deployment = read_deployment(file, text);  // reports mistakes of the deployment at their own lines
+  if (calibrated == text) return deployment;
+  try {
+    deployment = read_deployment(file, calibrated);
+    deployment.calibrations = calibration_files(file, text);
+    return deployment;
+  } catch (const ConfigurationError& error) {
+    throw ConfigurationError(file, 0, "deployment.calibration",
+                             "its files make the deployment invalid: " + std::string(error.what()),
+                             "the keys that `mrroc calibrate` writes");
+  }
 }
 
 }  // namespace mrroc::config

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "config/entries/errors_entry.hpp"
 #include "config/key_values.hpp"
 #include "config/robot_files.hpp"
 #include "mrroc/load.hpp"
@@ -127,11 +128,12 @@ struct FeederEntry {
 };
 
 struct SimEntry {
-  std::string host;                  ///< as of a robot; default: the host of the robots that it simulates
-  std::filesystem::path scene;       ///< MJCF of the task's scene, absolute
-  double timestep = 0.001;           ///< s; the servo period is a whole number of these
-  std::string program;               ///< `mrroc_sim`, absolute path
-  std::vector<FeederEntry> feeders;  ///< in file order
+  std::string host;                   ///< as of a robot; default: the host of the robots that it simulates
+  std::filesystem::path scene;        ///< MJCF of the task's scene, absolute
+  double timestep = 0.001;            ///< s; the servo period is a whole number of these
+  std::string program;                ///< `mrroc_sim`, absolute path
+  std::vector<FeederEntry> feeders;   ///< in file order
+  std::optional<ErrorsEntry> errors;  ///< none: the world is as the parameter files describe it
 };
 
 /// How the processes of the deployment reach each other: docs/how-to/security.md.
@@ -139,6 +141,15 @@ struct NetworkEntry {
   std::string interface;       ///< network device or own address; empty: loopback, this machine only
   bool security = false;       ///< DDS Security: only participants with the keys are accepted
   std::filesystem::path keys;  ///< folder of the keys, absolute; empty only without security
+};
+
+/// The bridge to ROS 2: docs/how-to/ros2.md.
+struct Ros2Entry {
+  std::optional<int> domain;     ///< 0..230; nothing: that of the environment's ROS_DOMAIN_ID, or 0
+  std::string distro = "jazzy";  ///< of the nodes on the other side
+  std::string name_space = "/";  ///< of everything that the bridge publishes
+  std::string interface;         ///< network device or own address; empty: as any ROS 2 node chooses
+  bool commands = false;         ///< whether nodes may start, pause and stop the task
 };
 
 /// An order of the operator to one robot, while no task commands it.
@@ -180,7 +191,8 @@ struct Answer {
 /// every type is installed, every program of this host exists, every named file exists, every carrier of a mounted
 /// robot is a robot.
 struct Deployment {
-  std::filesystem::path file;  ///< absolute
+  std::filesystem::path file;                       ///< absolute
+  std::vector<std::filesystem::path> calibrations;  ///< files whose keys the entries have, absolute
   std::string name;
   ClockMode clock = ClockMode::lockstep;
   double servo_period = 0.002;   ///< s
@@ -197,8 +209,9 @@ struct Deployment {
   std::vector<SensorEntry> sensors;  ///< in file order
   std::optional<SimEntry> sim;
   NetworkEntry network;
-  std::vector<Event> events;    ///< by tick, those of one tick in file order
-  std::vector<Answer> answers;  ///< in file order
+  std::optional<Ros2Entry> ros2;  ///< none: no bridge unless `mrroc run` is asked for one
+  std::vector<Event> events;      ///< by tick, those of one tick in file order
+  std::vector<Answer> answers;    ///< in file order
 
   /// The entry of this name; throws ConfigurationError that lists the known ones.
   const RobotEntry& robot(const std::string& name) const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "config/clock_names.hpp"
 #include "config/text/message_text.hpp"
 
 namespace mrroc::config {
@@ -10,18 +11,6 @@ namespace mrroc::config {
 namespace {
 
 using Lines = std::vector<std::pair<std::string, std::string>>;  // process or device, description
-
-std::string clock_name(ClockMode clock) {
-  switch (clock) {
-    case ClockMode::real:
-      return "real";
-    case ClockMode::paced:
-      return "paced";
-    case ClockMode::lockstep:
-      return "lockstep";
-  }
-  return "unknown clock";
-}
 
 std::string on_host(const std::string& host) { return host.empty() ? "" : "host " + host + ", "; }
 
@@ -54,7 +43,7 @@ std::string describe(const SensorEntry& sensor) {
 }  // namespace
 
 std::string describe(const Deployment& deployment) {
-  std::string text = deployment.name + ": " + clock_name(deployment.clock) + ", servo period " +
+  std::string text = deployment.name + ": " + name_of(deployment.clock) + ", servo period " +
                      number_text(deployment.servo_period) + " s, ";
   text += deployment.domain < 0 ? "any free DDS domain" : "DDS domain " + std::to_string(deployment.domain);
   text += "\n";

@@ -8,13 +8,15 @@
 #include "core/number_text.hpp"
 #include "core/shown_text.hpp"
 #include "faults/fault.hpp"
+#include "mrroc/signals.hpp"
 
 namespace mrroc::faults {
 
 namespace {
 
 // the targets of a fault
-constexpr unsigned kMp = 1, kSim = 2, kEcp = 4, kEdp = 8, kDrives = 16, kVsp = 32;
+constexpr unsigned kMp = 1, kSim = 2, kEcp = 4, kEdp = 8, kDrives = 16, kVsp = 32, kIo = 64;
+constexpr int kMaxNode = 127;  // of a CAN bus
 constexpr unsigned kTask = kMp | kEcp, kAny = kMp | kSim | kEcp | kEdp | kDrives | kVsp;
 
 struct Role {
@@ -23,11 +25,12 @@ struct Role {
   std::string_view of;  ///< what its name is one of; empty: there is one such process
 };
 
-constexpr std::array<Role, 6> kRoles{{{kMp, "mp", ""},
+constexpr std::array<Role, 7> kRoles{{{kMp, "mp", ""},
                                       {kSim, "sim", ""},
                                       {kEcp, "ecp", "ROBOT"},
                                       {kEdp, "edp", "ROBOT"},
                                       {kDrives, "drives", "ROBOT"},
+                                      {kIo, "io", "ROBOT"},
                                       {kVsp, "vsp", "SENSOR"}}};
 
 /// The text form of a kind of fault.
@@ -40,12 +43,12 @@ struct Row {
   double usual_value = 0;  ///< when it is not
 };
 
-constexpr std::array<Row, 19> kRows{{
+constexpr std::array<Row, 20> kRows{{
     {"kill", Kind::kill, kAny},
     {"halt", Kind::halt, kAny},
     {"end", Kind::end, kAny},
-    {"fault", Kind::fault, kEdp | kDrives, kDrives},
-    {"silence", Kind::silence, kEdp | kDrives | kVsp, kDrives},
+    {"fault", Kind::fault, kEdp | kDrives | kIo, kDrives},
+    {"silence", Kind::silence, kEdp | kDrives | kIo | kVsp, kDrives},
     {"unreference", Kind::unreference, kEdp},
     {"jump", Kind::jump, kEdp | kVsp, kEdp, true, 0.5},
     {"freeze", Kind::freeze, kEdp | kDrives | kVsp, kEdp | kDrives},
@@ -53,9 +56,10 @@ constexpr std::array<Row, 19> kRows{{
     {"overload", Kind::overload, kEdp, kEdp, true, 3},
     {"disconnect", Kind::disconnect, kEdp, kEdp},
     {"runaway", Kind::runaway, kEdp, kEdp},
-    {"restart", Kind::restart, kDrives, kDrives},
-    {"hush", Kind::hush, kDrives, kDrives},
+    {"restart", Kind::restart, kDrives | kIo, kDrives},
+    {"hush", Kind::hush, kDrives | kIo, kDrives},
     {"press", Kind::press, kDrives, kDrives},
+    {"stick", Kind::stick, kIo},
     {"lose", Kind::lose, kTask},
     {"delay", Kind::delay, kTask, 0, true, 30},
     {"corrupt", Kind::corrupt, kTask | kDrives, kDrives},
@@ -95,6 +99,7 @@ class Parser {
         refuse(std::to_string(axis), "an axis from 1 to " + std::to_string(kMaxJoints));
       fault.axis = static_cast<std::size_t>(axis - 1);
     }
+    if (role_ == kIo) io_part(fault);
     if (row.value && accept("by")) fault.value = number();
     if (fault.kind == Kind::delay && !(fault.value >= 1 && fault.value <= 1e6))
       refuse(std::to_string(fault.value), "a delay of 1 to 1000000 ticks");
@@ -135,6 +140,13 @@ class Parser {
     if (!value) refuse(word, expected);
     return *value;
   }
+  int whole(const std::string& expected, int least, int most) {
+    const std::string word = next();
+    const auto value = core::to_whole<int>(word);
+    if (!value || *value < least || *value > most)
+      refuse(word, expected + " from " + std::to_string(least) + " to " + std::to_string(most));
+    return *value;
+  }
   double number() {
     const std::string word = next();
     const auto value = core::to_finite(word);
@@ -163,9 +175,26 @@ class Parser {
     if (role == kRoles.end() || (role->bit & row.targets) == 0) refuse(word, names(row.targets));
     role_ = role->bit;
     fault.process = role->of.empty() ? first : name;
-    if ((role_ & (kEdp | kDrives)) != 0) fault.process.append("_").append(first);
+    if (role_ == kEdp) fault.process.append("_edp");
+    if ((role_ & (kDrives | kIo)) != 0) fault.process.append("_drives");
     if (role_ == kMp) fault.counter = "mp";
-    if ((role_ & (kEcp | kEdp | kDrives)) != 0) fault.counter = name;
+    if ((role_ & (kEcp | kEdp | kDrives | kIo)) != 0) fault.counter = name;
+  }
+
+  void io_part(InjectedFault& fault) {
+    if (fault.kind != Kind::stick) {
+      expect("node");
+      fault.io = IoPart::node;
+      fault.io_number = whole("a node", 1, kMaxNode);
+      return;
+    }
+    const std::string word = next();
+    if (word != "input" && word != "analog") refuse(word, "'input' or 'analog'");
+    const bool digital = word == "input";
+    fault.io = digital ? IoPart::digital_input : IoPart::analog_input;
+    fault.io_number = whole("an input", 0, (digital ? ControllerIo::kDigital : ControllerIo::kAnalog) - 1);
+    expect("to");
+    fault.value = digital ? whole("a state", 0, 1) : number();
   }
 
   void when(InjectedFault& fault) {

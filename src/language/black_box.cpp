@@ -26,6 +26,7 @@ StepRecord& BlackBox::record(const std::shared_ptr<const InstructionRecord>& ins
   if (step.instruction != instruction) step.instruction = instruction;
   step.states.clear();
   step.commands.clear();
+  step.superior.reset();
   step.readings.clear();
   step.conditions.clear();
   return step;

@@ -4,8 +4,9 @@
 #include <utility>
 
 #include "language/instruction_lists.hpp"
-#include "language/joints/bring_to_rest.hpp"
+#include "language/stops/common_stop.hpp"
 #include "mrroc/stopped.hpp"
+#include "mrroc/superior.hpp"
 
 namespace mrroc {
 
@@ -57,19 +58,25 @@ Instruction::Instruction(const RobotList& robots, const SensorList& sensors, Gen
 Outcome Instruction::run() {
   const ExclusiveUse use(robots_, sensors_);
   begin_record();
+  join_superior();
   try {
-    return run_steps();
+    Outcome outcome = run_steps();
+    end_coordination();
+    leave_superior(nullptr);
+    return outcome;
   } catch (Error& error) {
     error.complete_origin({task_->process_name(), "", step_, newest_tick()});
     observe(ending_of(error.error_class()));
-    error.attach(std::make_shared<const BlackBox>(task_->black_box()));     // before other fibers of the task add to it
-    if (error.error_class() != ErrorClass::system) bring_to_rest(robots_);  // else an exchange may be under way
+    error.attach(std::make_shared<const BlackBox>(task_->black_box()));  // before other fibers of the task add to it
+    end_after(error);
     throw;
   } catch (const Stopped&) {
     observe(StepEnding::stopped);
+    leave_superior(nullptr);
     throw;
   } catch (...) {
     observe(StepEnding::system_error);
+    leave_superior(nullptr);
     throw;
   }
 }
@@ -87,20 +94,23 @@ Outcome Instruction::run_steps() {
   }
   late_ = late_commands();
   for (;;) {
-    resume_after_late_command();
+    if (superior_ == nullptr) resume_after_late_command();
     if (operator_ends_it()) {
       observe(StepEnding::end_motion);
       return finish(Ending::end_motion);
     }
+    if (superior_ != nullptr && !superior_commands()) continue;
     if (const std::optional<Ending> ending = evaluate_end()) {
       observe(ending_of(*ending));
       return finish(*ending);
     }
+    if (superior_ != nullptr && superior_->ended()) continue;
     write_next_state();
     send(step_ + 1);
     observe(StepEnding::none);
     receive(step_ + 1);
     measure_skew();
+    if (superior_ != nullptr) superior_->answer(robots_[0]->state());
     ++step_;
     throw_reported_errors();
   }
@@ -131,54 +141,14 @@ void Instruction::throw_reported_errors() const {
               {task_->process_name(), *device, step_, tick});
 }
 
-bool Instruction::operator_ends_it() {
-  OperatorRequest request = task_->operator_request();
-  const bool pause = request == OperatorRequest::pause;
-  if (pause && !braking_ && generator_ != nullptr && moving()) {
-    halting_ = speed_.acts();
-    braking_ = halting_ || generator_->brake();
-  }
-  // a pause that ends early still leads to rest: the generator continues from there
-  if (braking_ && (pause || request == OperatorRequest::none) && moving()) return false;
-  if (pause || braking_) request = hold_until_resumed(request);
-  if (request == OperatorRequest::stop) throw Stopped{};
-  return request == OperatorRequest::end_motion;
-}
-
-bool Instruction::moving() const noexcept {
-  return std::any_of(robots_.begin(), robots_.end(), [](const Robot* robot) { return !robot->state().at_rest(); });
-}
-
-OperatorRequest Instruction::hold_until_resumed(OperatorRequest request) {
-  while (request == OperatorRequest::pause) {
-    hold();
-    request = task_->operator_request();
-  }
-  if (request == OperatorRequest::none && generator_ != nullptr) {
-    come_to_rest();
-    resume_generator();
-  }
-  braking_ = halting_ = false;
-  return request;
-}
-
-void Instruction::hold() {
-  for (Robot* robot : robots_) robot->reset_command(CommandKind::hold);
-  ++held_;
-  send(0);  // step 0: every reading is due, so that the motion resumes with new ones
-  receive(0);
-  throw_reported_errors();
-}
-
-void Instruction::come_to_rest() {
-  while (moving()) hold();
-}
-
 void Instruction::resume_after_late_command() {
   const std::uint64_t before = std::exchange(late_, late_commands());
-  const auto late = [this](const Robot* robot) { return has_braked(*robot) || timing_.missed_by(*robot); };
+  const auto late = [this](const Robot* robot) {
+    return has_braked(*robot) || timing_.missed_by(*robot) || robot->state().coordination == Coordination::left;
+  };
   if (late_ == before && std::none_of(robots_.begin(), robots_.end(), late)) return;
   timing_.allow_more_time();
+  if (!sensors_.empty() && newest_state() > measure_at_) hold();  // the readings were requested before the delay
   come_to_rest();
   late_ = late_commands();
   braking_ = halting_ = false;
@@ -186,6 +156,7 @@ void Instruction::resume_after_late_command() {
 }
 
 void Instruction::resume_generator() {
+  obtain_if_coordinated();
   speed_.begin();
   generator_->resume();
 }
@@ -205,13 +176,22 @@ std::optional<Ending> Instruction::evaluate_end() {
 }
 
 void Instruction::write_next_state() {
+  if (superior_ != nullptr) return write_with_superior();
   for (Robot* robot : robots_) robot->reset_command(CommandKind::hold);
   if (generator_ != nullptr && speed_.due()) {
     const SpeedOverride::OwnTime own_time(speed_);
     generator_->next_state();
   }
   speed_.write(halting_ ? 0 : braking_ ? 1 : task_->operator_speed());
+  stop_together();
   timing_.plan(robots_, task_->tick());
+}
+
+/// Should the next commands be late.
+void Instruction::stop_together() noexcept {
+  if (robots_.size() < 2) return;
+  const CommonStop stop = common_stop(robots_, task_->servo_period());
+  for (Robot* robot : robots_) robot->command().stop = stop;
 }
 
 void Instruction::measure_skew() noexcept {
@@ -249,9 +229,14 @@ void Instruction::receive(std::uint64_t next_step) {
   }
 }
 
-Tick Instruction::newest_tick() const {
+Tick Instruction::newest_state() const noexcept {
   Tick tick = 0;
   for (const Robot* robot : robots_) tick = std::max(tick, robot->state().tick);
+  return tick;
+}
+
+Tick Instruction::newest_tick() const {
+  Tick tick = newest_state();
   for (const Sensor* sensor : sensors_) tick = std::max(tick, sensor->reading().tick);
   return tick;
 }

@@ -8,9 +8,10 @@
 namespace mrroc {
 namespace {
 
-constexpr std::uint32_t kSamples = 8;  // per macrostep, at least
-constexpr double kOutside = 1e-3;      // of the tolerance
-constexpr double kRatioGrowth = 4;     // no transmission ratio grows more than that during one stop
+constexpr std::uint32_t kSamples = 8;     // per macrostep, at least
+constexpr std::uint32_t kMotorTicks = 8;  // from check to check in a stop, whose motors move smoothly
+constexpr double kOutside = 1e-3;         // of the tolerance
+constexpr double kRatioGrowth = 4;        // no transmission ratio grows more than that during one stop
 
 }  // namespace
 
@@ -143,6 +144,18 @@ ErrorReport LimitCheck::check_between(const DesiredState& before, const DesiredS
       return violation(ErrorCode::jerk_limit, i, tick, "mean jerk", jerk, axis.jerk_max);
   }
   return {};
+}
+
+bool LimitCheck::passes(const CommonStopPath& stop) noexcept {
+  DesiredState previous = stop.at(0);
+  for (std::uint32_t k = 1; k <= stop.ticks(); ++k) {
+    const DesiredState state = stop.at(k * period_);
+    if (bad(check_state(state, k)) || bad(check_between(previous, state, period_, k))) return false;
+    if ((k % kMotorTicks == 0 || k == stop.ticks()) && bad(check_motors(state.position, k, "motor position")))
+      return false;
+    previous = state;
+  }
+  return true;
 }
 
 std::uint32_t LimitCheck::samples_per_tick(const DesiredState& from, std::uint32_t steps,

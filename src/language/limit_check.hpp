@@ -5,7 +5,8 @@
 #include "core/error_report.hpp"
 #include "geometry/quintic.hpp"
 #include "language/limit_switches.hpp"
-#include "language/stop.hpp"
+#include "language/stops/common_stop_path.hpp"
+#include "language/stops/stop.hpp"
 #include "mrroc/robot_model.hpp"
 #include "mrroc/robot_state.hpp"
 
@@ -69,6 +70,10 @@ class LimitCheck {
     widen(from);
     return check_with_stop(to, tick);
   }
+
+  /// Whether `stop`, which begins at the end state that has passed the check last, keeps all limits; the motors are
+  /// checked at its end and at every eighth tick.
+  bool passes(const CommonStopPath& stop) noexcept;
 
   /// A motion whose set-points are not known beforehand begins at `from`.
   void begin(const DesiredState& from) noexcept { widen(from); }

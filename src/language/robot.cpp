@@ -110,6 +110,12 @@ void Robot::bias_force() {
   change();
 }
 
+void Robot::carry(const Load& load) {
+  reset_command(CommandKind::carry);
+  command_.load = load;
+  change();
+}
+
 void Robot::change() {
   send();
   receive();
@@ -133,6 +139,8 @@ void Robot::reset_command(CommandKind kind) noexcept {
   command_.twist.setZero();
   command_.twist_acceleration.resize(0);
   command_.force = ForceLaw{};
+  command_.stop = CommonStop{};
+  command_.load = Load{};
   command_.choice = 0;
   command_.with_outputs = false;
   command_.outputs = ControllerIo{};

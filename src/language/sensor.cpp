@@ -36,6 +36,24 @@ void Sensor::bias() {
   }
 }
 
+void Sensor::configure_with(const Message& configuration) {
+  if (in_use_)
+    throw NonFatalError(ErrorCode::busy, "another fiber reads this sensor", {task_->process_name(), name_, 0, 0});
+  asked_ = false;  // the reply to an overtaken request is not awaited
+  link_->request({SensorRequestKind::configure, 0, configuration});
+  SensorReading answer;
+  link_->receive(answer);
+  const ErrorReport& error = answer.error;
+  if (error.error_class != ErrorClass::none) {
+    throw_error(error.error_class, error.code, std::string{error.detail.view()},
+                {task_->process_name(), name_, 0, answer.tick});
+  }
+  configuration_ = answer.configuration;
+  reading_ = SensorReading{};
+  reading_.configuration = configuration_;
+  fresh_ = false;
+}
+
 double Sensor::age() const noexcept {
   if (reading_.sequence == 0) return std::numeric_limits<double>::infinity();
   const Tick now = task_->tick();
@@ -56,15 +74,25 @@ void Sensor::initiate_reading(Tick measure_at) {
 }
 
 void Sensor::collect_reading() {
-  const std::uint64_t before = reading_.sequence;
+  fresh_ = false;
   if (link_->polled()) {
-    asked_ = !link_->poll(reading_);
+    asked_ = !link_->poll(arrived_);
+    if (!asked_) take(arrived_);
   } else if (interactive_) {
-    link_->receive(reading_);
-  } else if (!link_->latest(reading_)) {
+    link_->receive(arrived_);
+    take(arrived_);
+  } else if (link_->latest(arrived_)) {
+    take(arrived_);
+  } else {
     reading_.error = {ErrorClass::non_fatal, ErrorCode::sensor_not_ready, {}};
   }
-  fresh_ = reading_.sequence != before;
+}
+
+/// A reading that was made before the task's last configuration is not taken for one of it.
+void Sensor::take(const SensorReading& reading) noexcept {
+  if (reading.configuration < configuration_) return;
+  fresh_ = reading.sequence != reading_.sequence;
+  reading_ = reading;
 }
 
 }  // namespace mrroc

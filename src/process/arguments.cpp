@@ -21,6 +21,7 @@ std::vector<std::string> to_command_line(const Arguments& arguments) {
   if (arguments.deployment_fd >= 0) add("--deployment-fd", std::to_string(arguments.deployment_fd));
   if (!arguments.trace.empty()) add("--trace", arguments.trace.string());
   if (arguments.trace_fd >= 0) add("--trace-fd", std::to_string(arguments.trace_fd));
+  if (arguments.record_fd >= 0) add("--record-fd", std::to_string(arguments.record_fd));
   if (!arguments.behaviours.empty()) add("--behaviours-of-programs", arguments.behaviours);
   if (!arguments.black_box.empty()) add("--black-box", arguments.black_box.string());
   if (arguments.black_box_fd >= 0) add("--black-box-fd", std::to_string(arguments.black_box_fd));
@@ -36,7 +37,7 @@ std::vector<std::string> to_command_line(const Arguments& arguments) {
 
 std::vector<int> Arguments::descriptors() const {
   std::vector<int> handed;
-  for (const int fd : {clock_fd, world_fd, black_box_fd, deployment_fd, trace_fd, motion_fd})
+  for (const int fd : {clock_fd, world_fd, black_box_fd, deployment_fd, trace_fd, motion_fd, record_fd})
     if (fd >= 0) handed.push_back(fd);
   return handed;
 }
@@ -54,6 +55,7 @@ std::optional<Arguments> parse_arguments(int argc, char** argv) {
   app.add_option("--deployment-fd", arguments.deployment_fd);
   app.add_option("--trace", arguments.trace);
   app.add_option("--trace-fd", arguments.trace_fd);
+  app.add_option("--record-fd", arguments.record_fd);
   app.add_option("--behaviours-of-programs", arguments.behaviours);
   app.add_option("--black-box", arguments.black_box);
   app.add_option("--black-box-fd", arguments.black_box_fd);

@@ -38,7 +38,7 @@ const Entry& find_entry(const std::vector<Entry>& entries, const std::string& na
 
 TaskProcess::TaskProcess(Process& process, const std::string& superior_topic)
     : process_(process),
-      superior_(process.domain(), process.clock(), superior_topic),
+      task_link_(process.domain(), process.clock(), superior_topic),
       dialogue_(process),
       reporter_(std::make_unique<StepReporter>(process)) {}
 
@@ -118,7 +118,7 @@ void TaskProcess::await_published_sensors() {
 bool TaskProcess::read_superior() {
   bool started = false;
   links::TaskCommand command;
-  while (superior_.take(command)) {
+  while (task_link_.take(command)) {
     switch (command.kind) {
       case links::TaskCommandKind::start:
         started = true;
@@ -159,7 +159,7 @@ void TaskProcess::report(links::TaskState state) {
   links::TaskStatus status;
   status.state = state;
   status.tick = tick();
-  superior_.report(status);
+  task_link_.report(status);
 }
 
 void TaskProcess::report_failure(const std::exception& error) {
@@ -175,7 +175,7 @@ void TaskProcess::report_failure(const std::exception& error) {
   status.step = origin.step;
   status.tick = tick();
   status.error_tick = origin.tick != 0 ? origin.tick : status.tick;
-  superior_.report(status);
+  task_link_.report(status);
 }
 
 std::string TaskProcess::save_black_box(const Error* error) const try {

@@ -27,7 +27,8 @@ class TaskProcess : public Task {
   ~TaskProcess() override;
 
   Process& process() const noexcept { return process_; }
-  links::TaskSubordinate& superior() noexcept { return superior_; }
+  /// The link on which the superior starts, pauses and stops the task.
+  links::TaskSubordinate& task_link() noexcept { return task_link_; }
 
   /// Handshakes with every robot and sensor that the task has opened a link to. After the task object is built. Throws
   /// SystemError naming the peer that does not answer.
@@ -104,7 +105,7 @@ class TaskProcess : public Task {
   Tick patience() const;
 
   Process& process_;
-  links::TaskSubordinate superior_;
+  links::TaskSubordinate task_link_;
   Dialogue dialogue_;
   Mailbox mailbox_;
   Message started_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/shared_memory.hpp"
 #include "world/world_memory.hpp"
 
 namespace mrroc::world {
@@ -12,19 +13,17 @@ class MappedWorld {
   static MappedWorld create();
   /// Throws SystemError when `fd` is not the memory of a world. The descriptor stays the caller's.
   static MappedWorld attach(int fd);
-  ~MappedWorld();
-  MappedWorld(MappedWorld&& other) noexcept;
-  MappedWorld& operator=(MappedWorld&&) = delete;
 
   WorldMemory& operator*() const noexcept { return *memory_; }
   WorldMemory* operator->() const noexcept { return memory_; }
   /// Descriptor of a memory that was created here; -1 otherwise. Closed with this object.
-  int fd() const noexcept { return fd_; }
+  int fd() const noexcept { return mapped_.fd(); }
 
  private:
-  MappedWorld(WorldMemory* memory, int fd) noexcept : memory_(memory), fd_(fd) {}
+  explicit MappedWorld(core::SharedMemory mapped) noexcept;
+
+  core::SharedMemory mapped_;
   WorldMemory* memory_;
-  int fd_;
 };
 
 }  // namespace mrroc::world

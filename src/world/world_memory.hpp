@@ -84,6 +84,7 @@ struct WorldMemory {
   std::array<core::SharedSlot<FlangeMeasurement>, kMaxRobots> flanges;
   std::array<core::SharedSlot<RawReading>, kMaxSensors> readings;  ///< sim -> VSP, every tick
   core::SharedSlot<WorldSnapshot> snapshot;
+  core::SharedSlot<WorldSnapshot> seen;   ///< the same as cameras with a latency see it: an older world at this tick
   std::atomic<std::uint32_t> watched{0};  ///< runner -> sim: not 0 while a client watches the snapshots
   clock::Gate driven;                     ///< real time: opened after each store into `drives`
   clock::Gate measured;                   ///< real time: opened when a tick's measurements and readings are stored

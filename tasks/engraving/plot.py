@@ -3,7 +3,7 @@
 The board's true surface is the formula of board.py, which the task does not use. The picture is the surface after a ball-nose cutter of
 3 mm along the measured path of its tip.
 
-Usage: plot.py TRACE OUT    writes OUT.rgb, OUT.dat, OUT.txt (a tick while it carves) and OUT.png
+Usage: plot.py TRACE OUT    writes OUT.rgb, OUT.dat, OUT.txt (the last tick in which it carves) and OUT.png
 """
 
 import math
@@ -100,7 +100,7 @@ def main():
           f"RMS, {1000 * worst:.3f} mm at most; {last * SERVO_PERIOD:.0f} s")
     print(f"the wood pushes the cutter out with {thrust:.1f} N and holds it back with {drag:.1f} N on average")
     with open(out + ".txt", "w", encoding="ascii") as figures:
-        figures.write(f"{carved[len(carved) // 2][0]}\n")
+        figures.write(f"{carved[-1][0]}\n")
     with open(out + ".dat", "w", encoding="ascii") as data:
         travelled = 0.0
         for before, step in zip(carved, carved[1:]):

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "canopen/default_value.hpp"
 #include "canopen/eds_text.hpp"
 #include "canopen/random_frames.hpp"
 
@@ -44,6 +45,25 @@ TEST(EdsFile, AcceptsAdditionsOfMakersAndEditors) {
             1u)
       << "names in Latin-1";
   EXPECT_EQ(parse("[2000]\nParameterName=Firmware\nObjectType=0x2\n").find({0x2000, 0})->type, DataType::domain);
+}
+
+// Elmo, Schunk, Pilz, Roboteq, Xeryon and JINR: docs/how-to/can.md
+TEST(EdsFile, ReadsWhatFilesOfMakersHave) {
+  const EdsFile file = parse(
+      "; created by a tool\r\n\r\n[DeviceInfo]\r\nVendorname=Maker\r\nCompactPDO=0\r\n\r\n[DummyUsage]\r\n"
+      "Dummy0001=0\r\n\r\n[1003]\r\nSubNumber=17\r\nParameterName=Error Field\r\nObjectType=0x08\r\n\r\n"
+      "[1003sub0]\r\nParameterName=Number\r\nDataType=0x0005\r\nAccessType=rw\r\nPDOMapping=0\r\n\r\n"
+      "[1003sub10]\r\nParameterName=Field 16\r\nObjectType=0x07\r\nDataType=0x0007\r\nAccessType=ro\r\n"
+      "DefaultValue=\r\n\r\n;[6406]\r\n;ParameterName=date\r\n\r\n[1800]\r\nParameterName=TPDO 1\r\n"
+      "ObjectType=0x9\r\nSubNumber=2\r\nObjFlags=0x0\r\n\r\n[1800sub1]\r\nParameterName=COB-ID\r\nObjectType=0x7\r\n"
+      "DataType=0x0007\r\nAccessType=rw\r\nDefaultValue=$NodeID + 0x180\r\n;ParameterValue=2\r\n\r\n"
+      "[2013]\r\nParameterName=Step\r\nDataType=0x0008\r\nAccessType=rw\r\nDefaultValue=0x437A0000\r\n");
+  EXPECT_EQ(file.product(), "");
+  EXPECT_EQ(file.entries().size(), 4u);
+  EXPECT_EQ(file.object("error field/field 16"), (Object{0x1003, 0x10}));
+  EXPECT_EQ(default_number(*file.find({0x1800, 1}), 5), 0x185);
+  EXPECT_EQ(default_number(*file.find({0x1003, 0x10}), 5), std::nullopt);
+  EXPECT_EQ(configured_bytes(*file.find({0x2013, 0}), 5), (std::vector<std::uint8_t>{0, 0, 0x7a, 0x43}));
 }
 
 TEST(EdsFile, ReadsTheFilesOfTheFramework) {

@@ -60,6 +60,7 @@ TEST(EdsValues, ReadsValuesOfEveryType) {
   EXPECT_EQ(bytes("0x0008", "1.5"), (Bytes{0, 0, 0xc0, 0x3f}));
   EXPECT_EQ(bytes("0x0008", "+15e-1"), (Bytes{0, 0, 0xc0, 0x3f}));
   EXPECT_EQ(bytes("0x0008", "0x00000000"), Bytes(4));
+  EXPECT_EQ(bytes("0x0008", "0x437A0000"), (Bytes{0, 0, 0x7a, 0x43})) << "the bits of 250.0";
   EXPECT_EQ(bytes("0x0009", "a;b"), (Bytes{'a', ';', 'b'}));
   EXPECT_EQ(bytes("0x0009", "\"a ;b\" ; a name"), (Bytes{'a', ' ', ';', 'b'}));
   EXPECT_EQ(bytes("0x0009", "$NODEID"), (Bytes{'$', 'N', 'O', 'D', 'E', 'I', 'D'}));
@@ -84,8 +85,12 @@ TEST(EdsValues, RefusesAnUnreadableValue) {
   EXPECT_EQ(of("7", "DefaultValue=0180"), "drive.eds:5: 2000: DefaultValue: '0180', expected a number of 32" + number);
   EXPECT_EQ(of("7", "DefaultValue=1\xA0"),
             "drive.eds:5: 2000: DefaultValue: '1\\xA0', expected a number of 32" + number);
-  EXPECT_EQ(of("8", "DefaultValue=1,5"),
-            "drive.eds:5: 2000: DefaultValue: '1,5', expected a decimal number of 32 bits, such as -0.25");
+  EXPECT_EQ(
+      of("8", "DefaultValue=1,5"),
+      "drive.eds:5: 2000: DefaultValue: '1,5', expected a decimal number of 32 bits, such as -0.25, or its bits, as "
+      "0xBE800000");
+  EXPECT_NE(of("8", "DefaultValue=0x7F800000"), "") << "infinite";
+  EXPECT_NE(of("8", "DefaultValue=0x1437A0000"), "") << "more than 32 bits";
   EXPECT_EQ(of("1", "DefaultValue=maybe"), "drive.eds:5: 2000: DefaultValue: 'maybe', expected 0 or 1");
   EXPECT_EQ(of("7", "PDOMapping=yes"), "drive.eds:5: 2000: PDOMapping: 'yes', expected a number up to 1");
   EXPECT_EQ(of("7", "ObjectType=VAR"), "drive.eds:5: 2000: ObjectType: 'VAR', expected a number up to 9");

@@ -15,6 +15,7 @@ using can::Frame;
 
 TEST(FrameText, DescribesNetworkManagement) {
   EXPECT_EQ(to_text(sync_frame()), "SYNC");
+  EXPECT_EQ(to_text(sync_frame(0xfe)), "SYNC 0FEh");
   EXPECT_EQ(to_text(nmt_frame(NmtCommand::start, 0)), "NMT all nodes: start");
   EXPECT_EQ(to_text(nmt_frame(NmtCommand::enter_pre_operational, 3)), "NMT node 3: enter pre-operational");
   EXPECT_EQ(to_text(Frame{0, {0x77, 3}}), "NMT node 3: unknown");

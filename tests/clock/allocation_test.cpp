@@ -4,7 +4,7 @@
 #include "clock/thread_deployment.hpp"
 #include "clock/wall/ticker.hpp"
 
-namespace mrroc::clock {
+namespace mrroc::clock::allocation_test {
 namespace {
 
 std::uint64_t allocations_of(const std::function<void()>& action) {
@@ -52,4 +52,4 @@ TEST(Allocation, NoneInATicker) {
 }
 
 }  // namespace
-}  // namespace mrroc::clock
+}  // namespace mrroc::clock::allocation_test

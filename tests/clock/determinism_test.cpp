@@ -14,7 +14,7 @@
 #include "clock/toy_network.hpp"
 #include "mrroc/fnv.hpp"
 
-namespace mrroc::clock {
+namespace mrroc::clock::determinism_test {
 namespace {
 
 constexpr Tick kLastTick = 20;
@@ -133,4 +133,4 @@ TEST_F(Determinism, WithoutTheDeltaRuleRunsDiffer) {
 }
 
 }  // namespace
-}  // namespace mrroc::clock
+}  // namespace mrroc::clock::determinism_test

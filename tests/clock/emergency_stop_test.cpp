@@ -3,7 +3,7 @@
 #include "clock/host.hpp"
 #include "clock/participant.hpp"
 
-namespace mrroc::clock {
+namespace mrroc::clock::emergency_stop_test {
 namespace {
 
 TEST(EmergencyStop, IsSeenByEveryClockOfTheDeploymentAtOnce) {
@@ -27,4 +27,4 @@ TEST(EmergencyStop, IsSeenByEveryClockOfTheDeploymentAtOnce) {
 }
 
 }  // namespace
-}  // namespace mrroc::clock
+}  // namespace mrroc::clock::emergency_stop_test

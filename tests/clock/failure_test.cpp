@@ -9,7 +9,7 @@
 #include "clock/thread_deployment.hpp"
 #include "mrroc/errors.hpp"
 
-namespace mrroc::clock {
+namespace mrroc::clock::failure_test {
 namespace {
 
 std::string message(const std::function<void()>& action) {
@@ -240,4 +240,4 @@ TEST(ClockFailure, RefusesInvalidOptionsAndNames) {
 }
 
 }  // namespace
-}  // namespace mrroc::clock
+}  // namespace mrroc::clock::failure_test

@@ -9,7 +9,7 @@
 #include "clock/host.hpp"
 #include "clock/participant.hpp"
 
-namespace mrroc::clock {
+namespace mrroc::clock::host_life_test {
 namespace {
 
 /// The owner of a clock and its one participant, which writes 'r' when it runs, executes `body` and then writes 'y'.
@@ -119,4 +119,4 @@ TEST(HostLife, SimulatedTimeStandsStillWithAStoppedHost) {
 }
 
 }  // namespace
-}  // namespace mrroc::clock
+}  // namespace mrroc::clock::host_life_test

@@ -7,7 +7,7 @@
 #include "clock/toy_network.hpp"
 #include "mrroc/errors.hpp"
 
-namespace mrroc::clock {
+namespace mrroc::clock::lockstep_test {
 namespace {
 
 TEST(Lockstep, WaitEndsAtExactlyItsTick) {
@@ -239,4 +239,4 @@ TEST(Lockstep, TheOperatorWaitsForMailTicksAndTheEnd) {
 }
 
 }  // namespace
-}  // namespace mrroc::clock
+}  // namespace mrroc::clock::lockstep_test

@@ -2,7 +2,7 @@
 
 #include "clock/thread_deployment.hpp"
 
-namespace mrroc::clock {
+namespace mrroc::clock::stop_test {
 namespace {
 
 TEST(ClockStop, TasksAreInterruptedAndTimeGoesOnForDrivesAndWorld) {
@@ -38,9 +38,31 @@ TEST(ClockStop, TasksAreInterruptedAndTimeGoesOnForDrivesAndWorld) {
   deployment.join();
   EXPECT_EQ(deployment.host.stop_tick(), 99U) << "the tick of the participants when the event of tick 100 ran";
   EXPECT_EQ(task_ended.load(), 99U);
+  EXPECT_EQ(deployment.host.task_end(), 99U);
   EXPECT_EQ(seen, 100U);
   EXPECT_EQ(standing, 120U);
   EXPECT_GE(world_ended, 120U);
+}
+
+TEST(ClockStop, TaskEndIsTheFirstThatIsSaid) {
+  ThreadDeployment deployment({"task", "other"});
+  deployment.add("task", [](Clock& clock) {
+    while (clock.tick() < 50) clock.wait(clock.tick() + 1);
+    clock.end_task();
+    while (clock.wait(clock.tick() + 1) == Wake::tick) {
+    }
+  });
+  deployment.add("other", [](Clock& clock) {
+    while (clock.tick() < 60) clock.wait(clock.tick() + 1);
+    clock.end_task();
+    while (clock.wait(clock.tick() + 1) == Wake::tick) {
+    }
+  });
+  EXPECT_EQ(deployment.host.task_end(), kNever);
+  deployment.host.at_tick(70, [&deployment](Tick) { deployment.host.stop(); });
+  deployment.start();
+  deployment.join();
+  EXPECT_EQ(deployment.host.task_end(), 50U);
 }
 
 TEST(ClockStop, TaskThatNeverWaitsAgainBlocksNoOther) {
@@ -94,4 +116,4 @@ TEST(ClockStop, StopBeforeTheStartIsTheEnd) {
 }
 
 }  // namespace
-}  // namespace mrroc::clock
+}  // namespace mrroc::clock::stop_test

@@ -9,7 +9,7 @@
 #include "config/robot_parameters_file.hpp"
 #include "mrroc/testing/scratch_folder.hpp"
 
-namespace mrroc::config {
+namespace mrroc::config::axis_file_test {
 namespace {
 
 using Interface = DriveParameters::Interface;
@@ -126,4 +126,4 @@ TEST_F(AxisFile, RefusesInvalidKeys) {
 }
 
 }  // namespace
-}  // namespace mrroc::config
+}  // namespace mrroc::config::axis_file_test

@@ -5,7 +5,7 @@
 #include "config/entries/driver_entry.hpp"
 #include "config/text/message_text.hpp"
 
-namespace mrroc::config {
+namespace mrroc::config::broken_deployments_test {
 namespace {
 
 /// The first line of every file in broken/, `# expect: ...`, contains the message that the file must give.
@@ -42,4 +42,4 @@ INSTANTIATE_TEST_SUITE_P(Files, BrokenDeployment, testing::ValuesIn(broken_files
 TEST(BrokenDeployments, AreMany) { EXPECT_GE(broken_files().size(), 80u); }
 
 }  // namespace
-}  // namespace mrroc::config
+}  // namespace mrroc::config::broken_deployments_test

@@ -4,7 +4,7 @@
 #include "config/deployment_fixture.hpp"
 #include "config/network/network_entry.hpp"
 
-namespace mrroc::config {
+namespace mrroc::config::deployment_hosts_test {
 namespace {
 
 class DeploymentHosts : public DeploymentFixture {
@@ -146,4 +146,4 @@ TEST_F(DeploymentHosts, SearchesProgramsOnTheirHost) {
 }
 
 }  // namespace
-}  // namespace mrroc::config
+}  // namespace mrroc::config::deployment_hosts_test

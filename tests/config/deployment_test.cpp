@@ -7,7 +7,7 @@
 #include "config/entries/operator_answer.hpp"
 #include "config/resources.hpp"
 
-namespace mrroc::config {
+namespace mrroc::config::deployment_test {
 namespace {
 
 class DeploymentTest : public DeploymentFixture {
@@ -247,4 +247,4 @@ TEST_F(DeploymentTest, AcceptsTheLongestNameAndTheLargestFleets) {
 }
 
 }  // namespace
-}  // namespace mrroc::config
+}  // namespace mrroc::config::deployment_test

@@ -2,7 +2,7 @@
 
 #include "config/deployment_fixture.hpp"
 
-namespace mrroc::config {
+namespace mrroc::config::description_test {
 namespace {
 
 class DescriptionTest : public DeploymentFixture {
@@ -35,4 +35,4 @@ TEST_F(DescriptionTest, OmitsAbsentParts) {
 }
 
 }  // namespace
-}  // namespace mrroc::config
+}  // namespace mrroc::config::description_test

@@ -5,7 +5,7 @@
 #include "config/toml_places.hpp"
 #include "text_of.hpp"
 
-namespace mrroc::config {
+namespace mrroc::config::mutated_deployments_test {
 namespace {
 
 /// A valid file with one change is still valid, or is refused with the line and the key of the error.
@@ -174,4 +174,4 @@ TEST_F(MutatedDeployment, RandomBytesGiveOnlyErrorsWithALine) {
 }
 
 }  // namespace
-}  // namespace mrroc::config
+}  // namespace mrroc::config::mutated_deployments_test

@@ -5,7 +5,7 @@
 
 #include "mrroc/testing/scratch_folder.hpp"
 
-namespace mrroc::config {
+namespace mrroc::config::resources_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -61,4 +61,4 @@ TEST(Resources, FirstFolderWithTheTypeIsUsed) {
 }
 
 }  // namespace
-}  // namespace mrroc::config
+}  // namespace mrroc::config::resources_test

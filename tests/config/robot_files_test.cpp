@@ -3,7 +3,7 @@
 #include "config/deployment_fixture.hpp"
 #include "text_of.hpp"
 
-namespace mrroc::config {
+namespace mrroc::config::robot_files_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -89,4 +89,4 @@ TEST_F(RobotFilesTest, ErrorInTheFileIsReportedBeforeTheStart) {
 }
 
 }  // namespace
-}  // namespace mrroc::config
+}  // namespace mrroc::config::robot_files_test

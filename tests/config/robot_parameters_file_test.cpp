@@ -7,7 +7,7 @@
 #include "config/message_of.hpp"
 #include "mrroc/testing/scratch_folder.hpp"
 
-namespace mrroc::config {
+namespace mrroc::config::robot_parameters_file_test {
 namespace {
 
 /// The keys of a valid axis, one per line; line 4 of `robot_text` is the first.
@@ -249,4 +249,4 @@ TEST_F(RobotParametersFileTest, RegulatorSetsChangeWhatTheyName) {
 }
 
 }  // namespace
-}  // namespace mrroc::config
+}  // namespace mrroc::config::robot_parameters_file_test

@@ -6,7 +6,7 @@
 #include "config/table.hpp"
 #include "mrroc/testing/scratch_folder.hpp"
 
-namespace mrroc::config {
+namespace mrroc::config::table_syntax_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -99,4 +99,4 @@ TEST_F(TableSyntaxTest, ReadsDeepDottedKeysToTheLimitOfALine) {
 }
 
 }  // namespace
-}  // namespace mrroc::config
+}  // namespace mrroc::config::table_syntax_test

@@ -8,7 +8,7 @@
 #include "config/message_of.hpp"
 #include "mrroc/testing/scratch_folder.hpp"
 
-namespace mrroc::config {
+namespace mrroc::config::table_test {
 namespace {
 
 using std::string;
@@ -217,4 +217,4 @@ TEST_F(TableTest, ReadsAndWritesNumbersEquallyInEveryLocale) {
 }
 
 }  // namespace
-}  // namespace mrroc::config
+}  // namespace mrroc::config::table_test

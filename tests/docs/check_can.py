@@ -48,6 +48,12 @@ def main():
     if in_source != in_script:
         problems.append(f"the PDOs of drivers/socketcan/drive_setup.cpp have {in_source} bytes, those of bench/can_load.py {in_script}")
 
+    load = (root / "src/config/drives/bus_load.cpp").read_text(encoding="utf-8")
+    bytes_of = {name: int(size) for name, size in re.findall(r"\bk(\w+) = (\d+)[,;]", load)}
+    in_check = ({mode: bytes_of[f"{mode.capitalize()}Command"] for mode in in_script[0]}, bytes_of["Feedback"], bytes_of["Status"])
+    if in_check != in_script:
+        problems.append(f"src/config/drives/bus_load.cpp has PDOs of {in_check} bytes, bench/can_load.py {in_script}")
+
     rows = {key: line for line in page.splitlines() if line.startswith("| `") for key in re.findall(r"`(\w+)`", line.split("|")[1])}
     tables = only((root / "src/config/drives/drive_table.cpp").read_text(encoding="utf-8"))
     for file in ("src/config/drives/io_table.cpp", "src/config/entries/can_entry.cpp"):

@@ -3,7 +3,7 @@
 A line `...` in an expected output stands for any lines. The tutorial's example has the same files, and those that the
 page links, which the reader downloads. The folder is also the reader's home.
 
-Usage: check_tutorial.py SOURCE_DIR BINARY_DIR PAGE EXAMPLE [-Dcache=entry ...]
+Usage: check_tutorial.py SOURCE_DIR BINARY_DIR PAGE [EXAMPLE] [-Dcache=entry ...]
 """
 
 import os
@@ -32,16 +32,17 @@ def matches(expected, printed):
 
 def main():
     source, binary = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
-    page, example = (source / "docs" / folder / name for folder, name in zip(("tutorials", "examples"), sys.argv[3:5]))
-    text = page.read_text(encoding="utf-8")
-    files = files_of(text) + [(path.name, path.read_text(encoding="utf-8")) for path in sorted(example.iterdir())
+    text = (source / "docs/tutorials" / sys.argv[3]).read_text(encoding="utf-8")
+    example = source / "docs/examples" / next((name for name in sys.argv[4:5] if not name.startswith("-D")), "none")
+    examples = sorted(path for path in example.rglob("*") if path.is_file())
+    files = files_of(text) + [(path.name, path.read_text(encoding="utf-8")) for path in examples
                               if f"](../examples/{example.name}/{path.name})" in text]
     problems = []
     for name, content in files:
         if not (example / name).is_file() or (example / name).read_text(encoding="utf-8") != content:
             problems.append(f"{example}/{name} differs from the tutorial's")
-    problems += [f"{path} is not in the tutorial" for path in example.rglob("*")
-                 if path.is_file() and path.relative_to(example).as_posix() not in dict(files)]
+    problems += [f"{path} is not in the tutorial" for path in examples
+                 if path.relative_to(example).as_posix() not in dict(files)]
     environment = {name: value for name, value in os.environ.items() if not name.startswith("MRROC_")}
     environment["mrroc"] = str(binary)
     environment["PATH"] = f"{binary}/bin:{environment['PATH']}"

@@ -5,7 +5,7 @@
 #include "allocations.hpp"
 #include "edp/force/force_rig.hpp"
 
-namespace mrroc::edp {
+namespace mrroc::edp::allocation_test {
 namespace {
 
 using test::Counting;
@@ -153,4 +153,4 @@ TEST(Allocation, ForceMotionsAndTheirInterruptionsDoNotAllocate) {
 }
 
 }  // namespace
-}  // namespace mrroc::edp
+}  // namespace mrroc::edp::allocation_test

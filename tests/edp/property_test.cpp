@@ -11,7 +11,7 @@
 #include "repetitions.hpp"
 #include "rig.hpp"
 
-namespace mrroc::edp {
+namespace mrroc::edp::property_test {
 namespace {
 
 /// A gantry with a jerk limit that random commands reach.
@@ -277,4 +277,4 @@ TEST(Edp, UnderRandomCommandsTheLimitsHoldAtEveryTickAndEveryCommandGetsOneReply
 }
 
 }  // namespace
-}  // namespace mrroc::edp
+}  // namespace mrroc::edp::property_test

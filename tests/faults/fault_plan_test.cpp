@@ -27,6 +27,19 @@ TEST(FaultPlan, GivesAProcessItsOwnFaults) {
   EXPECT_FALSE(switches[0].on(10));
 }
 
+TEST(FaultPlan, GivesTheFaultsOfIoNodesToTheProcessOfTheDrives) {
+  clock::HostOptions options;
+  options.participants = {"arm_drives"};
+  clock::ClockHost host(options);
+  const auto clock = clock::attach_clock(host.fd(), "arm_drives");
+  const FaultPlan plan({"silence io:arm node 40 at tick 1", "silence drives:arm axis 2 at tick 1",
+                        "stick io:other input 0 to 1 at tick 1"});
+  const auto switches = plan.of("arm_drives", *clock);
+  ASSERT_EQ(switches.size(), 2U);
+  EXPECT_EQ(switches[0].fault().io, IoPart::node);
+  EXPECT_EQ(switches[1].fault().io, IoPart::none);
+}
+
 TEST(FaultPlan, StepTriggersAFaultOnceForAllProcesses) {
   clock::HostOptions options;
   options.participants = {"arm"};

@@ -84,6 +84,8 @@ class Driver {
       command.force.inertia[i] = number(input, any);
       command.force.admittance[i] = number(input, any);
     }
+    command.stop.ticks = any ? input.take<std::uint16_t>() : input.take<std::uint8_t>();
+    command.stop.rate = number(input, any);
     command.choice = input.take<std::uint8_t>();
     command.with_outputs = (flags & 0x80) != 0;
     command.outputs.digital = input.take<std::uint16_t>();

@@ -1,16 +1,18 @@
 // A VSP without its transport: the first byte selects the sensor type, the second the monitored values. Then follow the
 // sensor's keys in a deployment up to the line "====", then the events, tick by tick: raw readings of any bits,
-// requests, states of its robot.
+// requests, configurations, states of its robot.
 #include <stdlib.h>
 
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <memory>
 
 #include "config/entries/sensor_type.hpp"
 #include "fuzz/fuzz.hpp"
 #include "fuzz/memory_file.hpp"
 #include "mrroc/errors.hpp"
+#include "mrroc/sensors/ultrasonic.hpp"
 #include "sensors/conveyor_encoder/conveyor_encoder_sensor.hpp"
 #include "sensors/digital_input/digital_input_sensor.hpp"
 #include "sensors/force_torque/force_torque_sensor.hpp"
@@ -68,6 +70,7 @@ class CheckingSink final : public ReadingSink {
  private:
   void check(const SensorReading& reading) const {
     if (reading.error.error_class != ErrorClass::none) return;
+    if (reading.sequence == 0) return;  // the answer to a configuration
     fuzz::require(reading.channel_count == channels_, "a reading without an error is complete");
     for (std::size_t i = 0; i < channels_; ++i)
       fuzz::require(std::isfinite(reading.values[i]), "a reading without an error is finite");
@@ -83,6 +86,19 @@ RobotState any_state(fuzz::Bytes& input, Tick now) {
   return state;
 }
 
+/// A message of one of the types, or of none, with any content.
+Message any_configuration(fuzz::Bytes& input) {
+  constexpr std::array<Message (*)(), 6> kTypes{
+      [] { return pack(Carrying{}); },   [] { return pack(LowPassAt{}); },       [] { return pack(InfraredRange{}); },
+      [] { return pack(PresenceAt{}); }, [] { return pack(UltrasonicRange{}); }, [] { return Message{}; }};
+  Message message = kTypes[input.take<std::uint8_t>() % kTypes.size()]();
+  for (std::size_t i = 0; i + sizeof(double) <= message.size; i += sizeof(double)) {
+    const auto value = input.take<double>();
+    std::memcpy(message.content.data() + i, &value, sizeof value);
+  }
+  return message;
+}
+
 void run(VirtualSensor& sensor, const config::SensorEntry& entry, const RawWatch& watch, fuzz::Bytes& input) {
   AnySource source;
   const bool published = (input.take<std::uint8_t>() & 1) != 0;
@@ -96,6 +112,8 @@ void run(VirtualSensor& sensor, const config::SensorEntry& entry, const RawWatch
     source.state = static_cast<SourceState>(event % 3);
     if ((event & 4) != 0) sampler.on_request({}, {SensorRequestKind::reading, now}, now, sink);
     if ((event & 8) != 0) sampler.on_request({}, {SensorRequestKind::bias, 0}, now, sink);
+    if ((event & 64) != 0)
+      sampler.on_request({}, {SensorRequestKind::configure, 0, any_configuration(input)}, now, sink);
     if ((event & 16) != 0) sampler.on_effector_state(any_state(input, now));
     if ((event & 32) != 0) {
       source.next.tick = now;

@@ -15,7 +15,7 @@
 #include "mrroc/generators/weight_measurement.hpp"
 #include "mrroc/move.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::force_motions_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -276,4 +276,4 @@ TEST(ImpedanceInSimulation, DeflectsByForceOverStiffnessAndReturns) {
 }
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::force_motions_test

@@ -14,7 +14,7 @@
 #include "mrroc/move.hpp"
 #include "robots/irb6/irb6_model.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::go_on_test {
 namespace {
 
 /// Commands one joint a constant velocity or acceleration, from rest, until the EDP refuses it.
@@ -178,4 +178,4 @@ TEST(GoOn, AllRobotsOfAMoveRestAfterTheRefusalOfOne) {
 }
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::go_on_test

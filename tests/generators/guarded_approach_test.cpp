@@ -4,7 +4,7 @@
 #include "mrroc/conditions/elapsed_steps.hpp"
 #include "mrroc/move.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::guarded_approach_test {
 namespace {
 
 /// A range finder in the ground points up at the tool; its eye is 0.3 m below the tool's position at home.
@@ -42,4 +42,4 @@ TEST(GuardedApproachInSimulation, ArmStopsAtTheMeasuredDistance) {
 }
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::guarded_approach_test

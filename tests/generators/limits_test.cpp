@@ -20,7 +20,7 @@
 #include "mrroc/generators/replay.hpp"
 #include "mrroc/move.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::limits_test {
 namespace {
 
 constexpr int kTries = 3000;
@@ -251,4 +251,4 @@ INSTANTIATE_TEST_SUITE_P(Robots, EveryRobotsLimits, ::testing::ValuesIn(every_ro
                          [](const auto& robot) { return robot.param.stem; });
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::limits_test

@@ -34,6 +34,7 @@ class LoopbackCell : public CellTask {
   RobotLink& robot_link(const std::string& name, const std::string&) override {
     return *cores_[static_cast<std::size_t>(std::stoi(name.substr(5)))];
   }
+  bool each_on_its_own = false;  ///< robots without a successor do not brake in step
   /// Called after every tick.
   std::function<void()> on_tick;
 
@@ -69,8 +70,10 @@ class LoopbackCell : public CellTask {
       }
     }
     void send(const RobotCommand& command) override {
+      RobotCommand received = command;
+      if (cell->each_on_its_own) received.stop = {};
       edp::Reply reply;
-      answered = effector.accept(command, ++number, reply);
+      answered = effector.accept(received, ++number, reply);
       if (answered) answer = reply.state;
     }
     void receive(RobotState& state) override {

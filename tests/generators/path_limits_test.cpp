@@ -15,7 +15,7 @@
 #include "mrroc/robots/irb6.hpp"
 #include "robots/irb6/irb6_model.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::path_limits_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -158,4 +158,4 @@ TEST(PathLimits, JointPathBeyondAMotorsRangeIsRefusedBeforeItsStart) {
 }
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::path_limits_test

@@ -12,7 +12,7 @@
 #include "mrroc/generators/pose_spline.hpp"
 #include "mrroc/move.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::path_test {
 namespace {
 
 constexpr const char* kEmptyScene = R"(<mujoco><compiler angle="radian"/><worldbody/></mujoco>)";
@@ -130,4 +130,4 @@ TEST_F(Path, JointPath) {
 }
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::path_test

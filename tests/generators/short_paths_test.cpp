@@ -16,7 +16,7 @@
 #include "mrroc/generators/pose_spline.hpp"
 #include "mrroc/generators/replay.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::short_paths_test {
 namespace {
 
 using fakes::check_every_case;
@@ -254,4 +254,4 @@ TEST(Arcs, RefuseAPlaneFromClosePoints) {
 }
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::short_paths_test

@@ -16,7 +16,7 @@
 #include "mrroc/generators/pose_spline.hpp"
 #include "mrroc/generators/replay.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::speed_test {
 namespace {
 
 using fakes::check_every_case;
@@ -216,4 +216,4 @@ TEST(Speed, NextMoveContinuesFromTheMotion) {
 }
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::speed_test

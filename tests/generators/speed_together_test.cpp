@@ -11,7 +11,7 @@
 #include "mrroc/move.hpp"
 #include "robots/irb6/irb6_model.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::speed_together_test {
 namespace {
 
 /// Moves the columns of two robots, the second one by -half the way of the first.
@@ -136,4 +136,4 @@ TEST(SpeedTogether, LateCommandsLeadToRestWithinTheLimits) {
 }
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::speed_together_test

@@ -5,7 +5,7 @@
 #include "mrroc/generators/joint_line.hpp"
 #include "mrroc/move.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::track_frame_test {
 namespace {
 
 /// A part on a belt that runs along y in front of the arm; a motor keeps the belt's speed constant.
@@ -67,4 +67,4 @@ TEST_P(Track, ToolStaysOnAPartOnTheBelt) {
 INSTANTIATE_TEST_SUITE_P(Speeds, Track, testing::Values(0.05, 0.1, 0.15));
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::track_frame_test

@@ -5,7 +5,7 @@
 #include "mrroc/generators/position_servo.hpp"
 #include "mrroc/move.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::visual_servo_test {
 namespace {
 
 constexpr const char* kBareScene = R"(<mujoco><compiler angle="radian"/></mujoco>)";
@@ -53,4 +53,4 @@ TEST_F(Servoing, ImageServoMovesTheArmOverTheTarget) {
 }
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::visual_servo_test

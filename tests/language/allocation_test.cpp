@@ -38,7 +38,7 @@
 #include "mrroc/generators/weight_measurement.hpp"
 #include "mrroc/move.hpp"
 
-namespace mrroc {
+namespace mrroc::allocation_test {
 namespace {
 
 using fakes::FakeTask;
@@ -301,4 +301,4 @@ TEST(Allocation, ArmsCarryAnObjectWithoutAllocation) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::allocation_test

@@ -9,7 +9,7 @@
 #include "mrroc/move.hpp"
 #include "mrroc/stopped.hpp"
 
-namespace mrroc {
+namespace mrroc::black_box_test {
 namespace {
 
 using fakes::Drive;
@@ -233,4 +233,4 @@ TEST(BlackBox, StopAndForeignExceptionAreRecorded) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::black_box_test

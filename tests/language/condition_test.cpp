@@ -12,7 +12,7 @@
 #include "mrroc/generators/joint_line.hpp"
 #include "mrroc/move.hpp"
 
-namespace mrroc {
+namespace mrroc::condition_test {
 namespace {
 
 using fakes::check_property;
@@ -197,4 +197,4 @@ TEST(Condition, OperatorTriggerIsClearedWhenItIsUsedAgain) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::condition_test

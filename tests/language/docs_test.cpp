@@ -15,8 +15,9 @@
 #include "mrroc/generators/together.hpp"
 #include "mrroc/generators/tool_velocity.hpp"
 #include "mrroc/move.hpp"
+#include "mrroc/tracker.hpp"
 
-namespace mrroc {
+namespace mrroc::docs_test {
 namespace {
 
 // [own robot and sensor]
@@ -43,6 +44,19 @@ class Closer : public Condition {
  private:
   const Range* range_;
   double distance_;
+};
+// [end]
+
+// [generator with a tracker]
+class Seek : public Generator {
+ public:
+  explicit Seek(Robot& robot) : Generator("Seek"), tracker_(robot) {}
+  void next_state() override { tracker_.to(where()); }
+  JointVector where() const { return wanted; }
+  JointVector wanted;
+
+ private:
+  Tracker tracker_;
 };
 // [end]
 
@@ -113,6 +127,15 @@ TEST(Docs, TwoRobots) {
   EXPECT_EQ(gate.reading().sequence, 21u);
 }
 
+TEST(Docs, GeneratorWithATracker) {
+  Cell cell;
+  Gantry left{cell.task, "left"};
+  Seek seek{left};
+  seek.wanted = JointVector::Constant(4, 0.1);
+  Move({left}, {}, seek.until(ElapsedSteps{100}));
+  EXPECT_EQ(left.state().desired_joints, seek.wanted);
+}
+
 TEST(Docs, SeveralGenerators) {
   Cell cell;
   fakes::FakeTask& task = cell.task;
@@ -180,9 +203,9 @@ TEST(Docs, EveryBlockOfThePageIsCompiledHere) {
   const auto code = blocks(
       "tests/language/docs_test.cpp",
       [](const std::string& line) { return line.starts_with("// [") && line != "// [end]"; }, "// [end]");
-  EXPECT_EQ(page.size(), 8u);
+  EXPECT_EQ(page.size(), 9u);
   EXPECT_EQ(page, code);
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::docs_test

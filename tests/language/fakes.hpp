@@ -46,7 +46,7 @@ class FakeRobotLink : public RobotLink {
     const auto throwing = throws.find(received_);
     const auto error = errors.find(received_++);
     if (throwing != throws.end()) throwing->second();
-    if (command_.kind == CommandKind::query) {
+    if (command_.kind == CommandKind::query || command_.kind == CommandKind::end) {
       state.tick = time_.tick;
       state.desired_tick = std::max(state.desired_tick, time_.tick);
     } else {

@@ -7,7 +7,7 @@
 #include "language/random_values.hpp"
 #include "mrroc/move.hpp"
 
-namespace mrroc {
+namespace mrroc::hold_test {
 namespace {
 
 using fakes::check_property;
@@ -56,4 +56,4 @@ TEST(Hold, RefusesInvalidTimes) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::hold_test

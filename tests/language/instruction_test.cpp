@@ -6,7 +6,7 @@
 #include "mrroc/generators/hold.hpp"
 #include "mrroc/move.hpp"
 
-namespace mrroc {
+namespace mrroc::instruction_test {
 namespace {
 
 using fakes::Action;
@@ -196,4 +196,4 @@ TEST(Instruction, StepLastsTenTicksWithoutRobots) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::instruction_test

@@ -6,7 +6,7 @@
 #include "mrroc/move.hpp"
 #include "mrroc/stopped.hpp"
 
-namespace mrroc {
+namespace mrroc::interruption_test {
 namespace {
 
 using fakes::Action;
@@ -176,6 +176,36 @@ TEST(Interruption, AfterALateCommandAllRobotsComeToRestAndTheGeneratorGoesOnFrom
   EXPECT_EQ(kinds, expected);
 }
 
+// they were requested for the tick at which the robot should have replied
+TEST(Interruption, ReadingsAreNewWhenTheGeneratorPlansAgainAfterALateCommand) {
+  FakeTask task;
+  const auto arm = task.robot("arm");
+  const auto gate = task.sensor("gate");
+  task.robot_fake("arm").late_at = 3;
+  task.robot_fake("arm").throws[3] = [&task] { task.robot_fake("arm").way = 30; };  // it throws nothing
+  task.robot_fake("arm").throws[4] = [&task] { task.robot_fake("arm").way = 0; };
+  struct AtRest : Generator {
+    AtRest(Robot& robot, Sensor& sensor) : Generator("AtRest"), arm(&robot), gate(&sensor) {}
+    void start() override {}
+    void resume() override {
+      ++resumes;
+      EXPECT_TRUE(arm->state().at_rest());
+      EXPECT_GE(gate->reading().tick, arm->state().tick);
+    }
+    bool terminal_condition() override { return false; }
+    void next_state() override {
+      arm->command().kind = CommandKind::joint;
+      arm->command().joints = arm->state().desired_joints;
+    }
+    Robot* arm;
+    Sensor* gate;
+    int resumes = 0;
+  } generator(*arm, *gate);
+  const Outcome end = Move({*arm}, {*gate}, generator.until(ElapsedSteps{6}));
+  EXPECT_EQ(generator.resumes, 1);
+  EXPECT_EQ(end.steps, 6u);
+}
+
 // a robot at rest with a late hold would make the moving one brake, and cause a refusal of its next command
 TEST(Interruption, LateRobotAtRestDoesNotDelayAMovingOne) {
   FakeTask task;
@@ -227,4 +257,4 @@ TEST(Interruption, RobotsGetMoreTimeForACommonStartUntilTheyStartTogether) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::interruption_test

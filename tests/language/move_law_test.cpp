@@ -7,7 +7,7 @@
 #include "language/property.hpp"
 #include "language/script_generator.hpp"
 
-namespace mrroc::fakes {
+namespace mrroc::fakes::move_law_test {
 namespace {
 
 constexpr int kCases = 1000;
@@ -286,4 +286,4 @@ TEST(MoveLaw, SeveralRobotsStartOnOneTick) {
 }
 
 }  // namespace
-}  // namespace mrroc::fakes
+}  // namespace mrroc::fakes::move_law_test

@@ -8,7 +8,7 @@
 #include "mrroc/conditions/elapsed_steps.hpp"
 #include "mrroc/move.hpp"
 
-namespace mrroc {
+namespace mrroc::nested_errors_test {
 namespace {
 
 using fakes::Action;
@@ -104,4 +104,4 @@ TEST(NestedErrors, TheTaskGoesOnAfterOneThatItHasCaught) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::nested_errors_test

@@ -5,7 +5,7 @@
 #include "mrroc/conditions/elapsed_steps.hpp"
 #include "mrroc/move.hpp"
 
-namespace mrroc {
+namespace mrroc::observer_test {
 namespace {
 
 using fakes::Action;
@@ -127,4 +127,4 @@ TEST(Observer, IsCalledBetweenTheTwoEndsOfTheExchange) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::observer_test

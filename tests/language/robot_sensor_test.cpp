@@ -6,7 +6,7 @@
 #include "mrroc/conditions/elapsed_steps.hpp"
 #include "mrroc/move.hpp"
 
-namespace mrroc {
+namespace mrroc::robot_sensor_test {
 namespace {
 
 using fakes::FakeTask;
@@ -145,4 +145,4 @@ TEST(Sensor, BiasesWhenInteractive) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::robot_sensor_test

@@ -44,6 +44,8 @@ class ScriptedGenerator : public Generator {
 
   void start() override { log_.add({Action::start_generator, ""}); }
   void resume() override { log_.add({Action::resume_generator, ""}); }
+  /// What robots do on a common way that a generator can stretch is the law of common_stop_test.cpp.
+  bool scales_with_speed() const override { return robots_.size() < 2; }
   bool terminal_condition() override {
     log_.add({Action::terminal_condition, ""});
     return evaluated_++ >= script_.generator_ends;

@@ -8,7 +8,7 @@
 #include "mrroc/generators/joint_line.hpp"
 #include "mrroc/move.hpp"
 
-namespace mrroc {
+namespace mrroc::together_test {
 namespace {
 
 using fakes::check_property;
@@ -105,4 +105,4 @@ TEST(Together, OwnsTemporariesAndCanRunAgain) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::together_test

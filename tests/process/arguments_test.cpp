@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mrroc::process {
+namespace mrroc::process::arguments_test {
 namespace {
 
 Arguments parse(const std::vector<std::string>& words) {
@@ -22,6 +22,7 @@ TEST(Arguments, CommandLineReadsBack) {
                             17,
                             "t.arm",
                             7,
+                            9,
                             "left on Go x:number:8\nleft tells Here\n",
                             "boxes",
                             5,
@@ -40,6 +41,7 @@ TEST(Arguments, CommandLineReadsBack) {
   EXPECT_EQ(read.domain, 17);
   EXPECT_EQ(read.deployment_fd, 6);
   EXPECT_EQ(read.trace_fd, 7);
+  EXPECT_EQ(read.record_fd, 9);
   EXPECT_EQ(read.motion_fd, 8);
   EXPECT_EQ(read.trace, arguments.trace);
   EXPECT_EQ(read.behaviours, arguments.behaviours);
@@ -51,7 +53,7 @@ TEST(Arguments, CommandLineReadsBack) {
   EXPECT_EQ(read.interface, "eth1");
   EXPECT_EQ(read.peers, arguments.peers);
   EXPECT_EQ(read.keys, arguments.keys);
-  EXPECT_EQ(read.descriptors(), (std::vector<int>{3, 4, 5, 6, 7, 8}));
+  EXPECT_EQ(read.descriptors(), (std::vector<int>{3, 4, 5, 6, 7, 8, 9}));
 }
 
 TEST(Arguments, ProgramExplainsItsUsageWithoutTheRunner) {
@@ -64,4 +66,4 @@ TEST(Arguments, ProgramExplainsItsUsageWithoutTheRunner) {
 }
 
 }  // namespace
-}  // namespace mrroc::process
+}  // namespace mrroc::process::arguments_test

@@ -6,7 +6,7 @@
 #include "mrroc/errors.hpp"
 #include "mrroc/stopped.hpp"
 
-namespace mrroc::process {
+namespace mrroc::process::fibers_test {
 namespace {
 
 /// Time advances only when a fiber waits for it; mail never comes.
@@ -142,4 +142,4 @@ TEST_F(Fibers, CannotBeNested) {
 }
 
 }  // namespace
-}  // namespace mrroc::process
+}  // namespace mrroc::process::fibers_test

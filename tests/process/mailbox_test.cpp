@@ -7,7 +7,7 @@
 
 #include "mrroc/errors.hpp"
 
-namespace mrroc::process {
+namespace mrroc::process::mailbox_test {
 namespace {
 
 Message parcel(const std::string& label, std::uint64_t number) {
@@ -45,4 +45,4 @@ TEST(Mailbox, GivesTheOldestOfALabelAndKeepsTheOthers) {
 }
 
 }  // namespace
-}  // namespace mrroc::process
+}  // namespace mrroc::process::mailbox_test

@@ -8,7 +8,7 @@
 #include "sim/scene/model.hpp"
 #include "worlds.hpp"
 
-namespace mrroc::sim {
+namespace mrroc::sim::contact_filter_test {
 namespace {
 
 using fakes::check_property;
@@ -103,4 +103,4 @@ TEST(ContactFilter, OmitsGeomsBesideALongOne) {
 }
 
 }  // namespace
-}  // namespace mrroc::sim
+}  // namespace mrroc::sim::contact_filter_test

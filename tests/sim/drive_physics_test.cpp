@@ -8,7 +8,7 @@
 #include "sim/world.hpp"
 #include "worlds.hpp"
 
-namespace mrroc::sim {
+namespace mrroc::sim::drive_physics_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -227,4 +227,4 @@ TEST(DrivePhysics, EndlessBeltCarriesAPartAndStaysUnderIt) {
 }
 
 }  // namespace
-}  // namespace mrroc::sim
+}  // namespace mrroc::sim::drive_physics_test

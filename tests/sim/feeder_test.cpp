@@ -9,7 +9,7 @@
 #include "sim/simulation.hpp"
 #include "worlds.hpp"
 
-namespace mrroc::sim {
+namespace mrroc::sim::feeder_test {
 namespace {
 
 /// Three overlapping bricks far above a floor.
@@ -128,4 +128,4 @@ TEST_F(FeederTest, RefusesBodiesThatAreNotFreeOrNotInTheScene) {
 }
 
 }  // namespace
-}  // namespace mrroc::sim
+}  // namespace mrroc::sim::feeder_test

@@ -11,7 +11,7 @@
 #include "sim/simulation.hpp"
 #include "worlds.hpp"
 
-namespace mrroc::sim {
+namespace mrroc::sim::irb6_test {
 namespace {
 
 constexpr double kPeriod = 0.002;
@@ -203,4 +203,4 @@ TEST_F(TwoIrb6, TaskSpaceLineIsStraightToATenthOfAMillimetre) {
 }
 
 }  // namespace
-}  // namespace mrroc::sim
+}  // namespace mrroc::sim::irb6_test

@@ -12,7 +12,7 @@
 #include "sim/simulation.hpp"
 #include "worlds.hpp"
 
-namespace mrroc::sim {
+namespace mrroc::sim::real_time_test {
 namespace {
 
 using edp::HardwareInput;
@@ -197,4 +197,4 @@ TEST_F(RealTime, SilentWorldIsReportedUntilItContinues) {
 }
 
 }  // namespace
-}  // namespace mrroc::sim
+}  // namespace mrroc::sim::real_time_test

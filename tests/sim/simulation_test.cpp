@@ -11,7 +11,7 @@
 #include "sim/mujoco_allocations.hpp"
 #include "worlds.hpp"
 
-namespace mrroc::sim {
+namespace mrroc::sim::simulation_test {
 namespace {
 
 using config::Deployment;
@@ -242,4 +242,4 @@ TEST_F(SimulationTest, RefusesBrokenStateFiles) {
 }
 
 }  // namespace
-}  // namespace mrroc::sim
+}  // namespace mrroc::sim::simulation_test

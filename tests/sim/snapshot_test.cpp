@@ -8,7 +8,7 @@
 #include "sim/simulation.hpp"
 #include "worlds.hpp"
 
-namespace mrroc::sim {
+namespace mrroc::sim::snapshot_test {
 namespace {
 
 using config::message_of;
@@ -95,4 +95,4 @@ TEST_F(Snapshot, RefusesAWorldThatIsTooLarge) {
 }
 
 }  // namespace
-}  // namespace mrroc::sim
+}  // namespace mrroc::sim::snapshot_test

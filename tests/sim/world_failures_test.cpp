@@ -7,7 +7,7 @@
 #include "sim/world.hpp"
 #include "worlds.hpp"
 
-namespace mrroc::sim {
+namespace mrroc::sim::world_failures_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -149,4 +149,4 @@ TEST(WorldFailures, MissingJointNamesThoseThatExist) {
 }
 
 }  // namespace
-}  // namespace mrroc::sim
+}  // namespace mrroc::sim::world_failures_test

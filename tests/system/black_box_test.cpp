@@ -6,7 +6,7 @@
 #include "system/mrroc_run.hpp"
 #include "system/trace_line.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::black_box_test {
 namespace {
 
 constexpr int kSystem = 4;
@@ -68,4 +68,4 @@ TEST_F(BlackBoxOfADeath, ReportsAWriteError) {
 }
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::black_box_test

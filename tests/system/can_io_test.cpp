@@ -1,45 +1,15 @@
 // Tasks whose outputs and inputs are CiA 401 nodes on the buses of their robots, in simulation.
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <string>
 
+#include "repetitions.hpp"
 #include "system/equal_runs_on_a_bus.hpp"
+#include "system/io_on_bus.hpp"
 #include "system/mrroc_run.hpp"
-#include "text_of.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::can_io_test {
 namespace {
-
-namespace fs = std::filesystem;
-const fs::path kTasks = fs::path(MRROC_SOURCE_DIR) / "tasks";
-
-void replace(std::string& text, const std::string& from, const std::string& to) {
-  const std::size_t place = text.find(from);
-  ASSERT_NE(place, std::string::npos) << from;
-  text.replace(place, from.size(), to);
-}
-
-/// The deployment of a task, with absolute paths of these files.
-std::string deployment_of(const std::string& task, const std::vector<std::string>& files) {
-  std::string text = text_of(kTasks / task / (task + ".toml"));
-  for (const std::string& file : files)
-    replace(text, "\"" + file + "\"", "\"" + (kTasks / task / file).string() + "\"");
-  return text;
-}
-
-/// Puts the next robot of `text`, `robot`, on a bus of its own in `folder`, with the I/O nodes of `io`.
-void put_on_bus(std::string& text, const ScratchFolder& folder, const std::string& robot, const fs::path& io) {
-  replace(text, "hardware = \"mujoco\"", "hardware = \"socketcan\"");
-  text += "\n[robots." + robot + ".can]\nsimulated = true\ninterface = \"unix:" + (folder.path() / robot).string() +
-          "\"\nio = \"" + io.string() + "\"\n";
-}
-
-/// A table of a node with 8 inputs and 8 outputs.
-fs::path io_of_16(const ScratchFolder& folder) {
-  return folder.write("io.toml",
-                      "[[nodes]]\nnode = 40\neds = \"cia401.eds\"\ndigital_inputs = 8\ndigital_outputs = 8\n");
-}
 
 TEST(CanIo, EngravingExtendsItsStylusByAnIoNode) {
   const ScratchFolder folder;
@@ -71,8 +41,12 @@ TEST(CanIo, TeachRunsWithTheTerminalsOfBothRobotsOnTheirBuses) {
   const auto io = io_of_16(folder);
   put_on_bus(text, folder, "arm", io);
   put_on_bus(text, folder, "person", io);
-  expect_equal_runs_on_a_bus(folder.write("teach.toml", text), folder, {"teach succeeded"});
+  const auto file = folder.write("teach.toml", text);
+  for (int i = 0; i < tries(1, 2); ++i) {
+    const std::string output = run_mrroc({"run", file.string()}, 0, MrrocRun::kLongPatience);
+    EXPECT_NE(output.find("teach succeeded"), std::string::npos) << output;
+  }
 }
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::can_io_test

@@ -17,7 +17,7 @@
 #include "system/mrroc_run.hpp"
 #include "text_of.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::can_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -268,4 +268,4 @@ TEST(Can, RealDrivesNeedTheRealClock) {
 }
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::can_test

@@ -2,7 +2,7 @@
 
 #include "system/mrroc_run.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::changes_test {
 namespace {
 
 /// A valve on output 3 of the arm's controller, which input 0 measures.
@@ -49,4 +49,4 @@ TEST(Changes, UnconnectedInputNeverSwitches) {
 }
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::changes_test

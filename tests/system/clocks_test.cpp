@@ -4,7 +4,7 @@
 
 #include "system/mrroc_run.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::clocks_test {
 namespace {
 
 /// The last line of each instruction: its name and the conditions that held.
@@ -43,4 +43,4 @@ TEST_P(Clocks, SameBinariesGiveTheSameOutcome) {
 INSTANTIATE_TEST_SUITE_P(Wall, Clocks, testing::Values("paced", "real"));
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::clocks_test

@@ -10,7 +10,7 @@
 #include "system/mrroc_run.hpp"
 #include "system/trace_line.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::coordination_test {
 namespace {
 
 const std::string kBelt =
@@ -182,4 +182,4 @@ TEST(Coordination, PauseAndResumeReachThePartsAndThePrograms) {
 }
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::coordination_test

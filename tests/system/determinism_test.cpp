@@ -9,7 +9,7 @@
 #include "system/mrroc_run.hpp"
 #include "text_of.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::determinism_test {
 namespace {
 
 /// Hashes of runs in lockstep, the second half of them with two busy loops at the same time.
@@ -89,4 +89,4 @@ TEST(Determinism, GeneratorCommandsTheSameInAnEcpAndInTheMp) {
 }
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::determinism_test

@@ -11,7 +11,7 @@
 #include "system/mrroc_run.hpp"
 #include "text_of.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::operator_test {
 namespace {
 
 constexpr int kStopped = 5;
@@ -163,4 +163,4 @@ TEST(Operator, CtrlCBeforeTheBarrierEndsAtOnce) {
 }
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::operator_test

@@ -10,7 +10,7 @@
 
 #include "system/mrroc_run.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::output_test {
 namespace {
 
 constexpr int kSystem = 4;
@@ -87,4 +87,4 @@ TEST(RunnersOutput, RunContinuesWhenItsReaderLeaves) {
 }
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::output_test

@@ -13,7 +13,7 @@
 #include "system/mrroc_run.hpp"
 #include "text_of.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::outputs_test {
 namespace {
 
 constexpr int kUsage = 2;
@@ -296,4 +296,4 @@ TEST_F(Outputs, ControlCharactersAreEscaped) {
 }
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::outputs_test

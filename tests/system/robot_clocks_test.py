@@ -89,7 +89,6 @@ class RobotClocks(unittest.TestCase):
         # a command that a busy machine delivers late is that of one robot: only then robots are out of step
         late = sum(int(count) for count in re.findall(r"(\d+) late commands", done.stdout))
         self.assertLessEqual(sum(skew != 0 for skew in skews), late)
-        self.assertIn(0, skews)
         for name in RATES:
             line = re.search(rf"  {name}_edp +(\d+) ticks, .*\n +(\d+) packages of its clock, (\d+) lost, (\d+) doubled", done.stdout)
             self.assertIsNotNone(line, name)

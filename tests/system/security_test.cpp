@@ -14,7 +14,7 @@
 #include "system/mrroc_run.hpp"
 #include "system/packet_storm.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::security_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -223,4 +223,4 @@ INSTANTIATE_TEST_SUITE_P(Keys, Storm, testing::Bool(),
                          [](const auto& test) { return test.param ? "secured" : "plain"; });
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::security_test

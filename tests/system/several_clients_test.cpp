@@ -10,7 +10,7 @@
 #include "system/mrroc_run.hpp"
 #include "system/trace_line.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::several_clients_test {
 namespace {
 
 /// Whether `time` is that of `tick`: since the last zero before it, or since a zero at the same tick.
@@ -56,4 +56,4 @@ TEST(SeveralClients, EachReadsTheMeasurementsOfItsOwnSteps) {
 }
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::several_clients_test

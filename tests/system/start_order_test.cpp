@@ -3,7 +3,7 @@
 #include "repetitions.hpp"
 #include "system/mrroc_run.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::start_order_test {
 namespace {
 
 TEST(StartOrder, LaunchesInRandomOrderWithRandomDelaysAllSucceed) {
@@ -28,4 +28,4 @@ TEST(StartOrder, TaskInMotionInRealTimeSucceedsToo) {
 }
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::start_order_test

@@ -4,7 +4,7 @@
 #include "system/mrroc_run.hpp"
 #include "text_of.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::state_machine_test {
 namespace {
 
 const std::string kTask = std::string{MRROC_SOURCE_DIR} + "/tasks/shuttle/";
@@ -128,4 +128,4 @@ TEST(StateMachine, IsDrawnAsAGraph) {
 }
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::state_machine_test

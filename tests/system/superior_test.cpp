@@ -5,7 +5,7 @@
 
 #include "system/mrroc_run.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::superior_test {
 namespace {
 
 TEST(Superior, ReceivesAnEcpErrorOnceDuringItsOwnMoveAndCanStopAnother) {
@@ -30,4 +30,4 @@ TEST(Superior, ReceivesAnEcpErrorOnceDuringItsOwnMoveAndCanStopAnother) {
 }
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::superior_test

@@ -9,7 +9,7 @@
 #include "system/equal_runs.hpp"
 #include "text_of.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::trace_check_test {
 namespace {
 
 using cli::trace::check_text;
@@ -153,4 +153,4 @@ TEST(TraceCheck, ListsItsRules) {
 }
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::trace_check_test

@@ -3,7 +3,7 @@
 #include "allocations.hpp"
 #include "vsp/fakes.hpp"
 
-namespace mrroc::vsp {
+namespace mrroc::vsp::allocation_test {
 namespace {
 
 class CountingSink : public ReadingSink {
@@ -43,4 +43,4 @@ TEST(Allocation, SamplerDoesNotAllocateAfterItsConstruction) {
 }
 
 }  // namespace
-}  // namespace mrroc::vsp
+}  // namespace mrroc::vsp::allocation_test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-namespace mrroc::vsp {
+namespace mrroc::vsp::noise_test {
 namespace {
 
 constexpr int kSamples = 100000;
@@ -71,4 +71,4 @@ TEST(Noise, StreamsNamesAndTicksAreUncorrelated) {
 }
 
 }  // namespace
-}  // namespace mrroc::vsp
+}  // namespace mrroc::vsp::noise_test

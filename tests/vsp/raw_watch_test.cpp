@@ -7,7 +7,7 @@
 #include "mrroc/errors.hpp"
 #include "vsp/noise.hpp"
 
-namespace mrroc::vsp {
+namespace mrroc::vsp::raw_watch_test {
 namespace {
 
 constexpr double kPeriod = 0.002;
@@ -75,4 +75,4 @@ TEST_F(RawWatchTest, NoiseIsComputedFromTheSignalsSecondDifferences) {
 TEST_F(RawWatchTest, HasOneLimitPerRawChannel) { EXPECT_THROW(watch(0, {1, 2, 3}), SystemError); }
 
 }  // namespace
-}  // namespace mrroc::vsp
+}  // namespace mrroc::vsp::raw_watch_test

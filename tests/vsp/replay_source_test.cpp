@@ -10,7 +10,7 @@
 #include "config/message_of.hpp"
 #include "mrroc/testing/scratch_folder.hpp"
 
-namespace mrroc::vsp {
+namespace mrroc::vsp::replay_source_test {
 namespace {
 
 const std::vector<Channel> kTwo{{"a", "m"}, {"b", "N"}};
@@ -165,4 +165,4 @@ TEST(ReplaySource, RefusesAnUnreadableFile) {
 }
 
 }  // namespace
-}  // namespace mrroc::vsp
+}  // namespace mrroc::vsp::replay_source_test

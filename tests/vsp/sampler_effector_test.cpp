@@ -3,7 +3,7 @@
 
 #include "vsp/fakes.hpp"
 
-namespace mrroc::vsp {
+namespace mrroc::vsp::sampler_effector_test {
 namespace {
 
 /// v = r minus the tick of e_l: 0 when both have the same tick.
@@ -99,4 +99,4 @@ TEST_F(SamplerEffector, IsNotReadyAfterATimeoutWithoutAState) {
 }
 
 }  // namespace
-}  // namespace mrroc::vsp
+}  // namespace mrroc::vsp::sampler_effector_test

@@ -5,7 +5,7 @@
 #include "mrroc/errors.hpp"
 #include "vsp/fakes.hpp"
 
-namespace mrroc::vsp {
+namespace mrroc::vsp::sampler_errors_test {
 namespace {
 
 class SamplerErrorsTest : public ::testing::Test {
@@ -118,4 +118,4 @@ TEST(SamplerConstruction, RefusesASensorThatDoesNotFitAReading) {
 }
 
 }  // namespace
-}  // namespace mrroc::vsp
+}  // namespace mrroc::vsp::sampler_errors_test

@@ -7,7 +7,7 @@
 
 #include "vsp/fakes.hpp"
 
-namespace mrroc::vsp {
+namespace mrroc::vsp::sampler_laws_test {
 namespace {
 
 /// A request of a client at `arrival`.
@@ -106,4 +106,4 @@ TEST(SamplerLaws, WakingAtEveryTickChangesNothing) {
 }
 
 }  // namespace
-}  // namespace mrroc::vsp
+}  // namespace mrroc::vsp::sampler_laws_test

@@ -6,7 +6,7 @@
 #include "core/lockfree/shared_slot.hpp"
 #include "vsp/fakes.hpp"
 
-namespace mrroc::vsp {
+namespace mrroc::vsp::sampler_readers_test {
 namespace {
 
 /// An aggregation that does not end before the reader has read, from its second call on.
@@ -55,4 +55,4 @@ TEST(SamplerReaders, ReadTheLatestReadingDuringAnAggregation) {
 }
 
 }  // namespace
-}  // namespace mrroc::vsp
+}  // namespace mrroc::vsp::sampler_readers_test

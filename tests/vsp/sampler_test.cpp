@@ -5,7 +5,7 @@
 #include "mrroc/errors.hpp"
 #include "vsp/fakes.hpp"
 
-namespace mrroc::vsp {
+namespace mrroc::vsp::sampler_test {
 namespace {
 
 class SamplerTest : public ::testing::Test {
@@ -150,4 +150,4 @@ TEST(PublicationPeriod, IsAWholeNumberOfServoPeriods) {
 }
 
 }  // namespace
-}  // namespace mrroc::vsp
+}  // namespace mrroc::vsp::sampler_test

@@ -10,7 +10,7 @@
 #include "vsp/make_source.hpp"
 #include "world/mapped_world.hpp"
 
-namespace mrroc::vsp {
+namespace mrroc::vsp::simulated_source_test {
 namespace {
 
 RawReading hardware_reading(Tick tick, std::vector<double> values) {
@@ -97,4 +97,4 @@ TEST(MakeSource, RefusesASimulatedSensorWithoutAWorld) {
 }
 
 }  // namespace
-}  // namespace mrroc::vsp
+}  // namespace mrroc::vsp::simulated_source_test

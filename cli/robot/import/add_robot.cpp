@@ -2,6 +2,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include "cli/robot/import/demo_command.hpp"
 #include "cli/robot/import/demo_files.hpp"
 #include "cli/robot/import/home.hpp"
 #include "cli/robot/import/import_checks.hpp"
@@ -133,7 +134,7 @@ class Import {
                                              ? fmt::format("closed form: {}", name_of(model.closed_form().structure()))
                                              : std::string{"numeric, within the limits"});
     text += findings_.text();
-    text += "next: mrroc run " + (target_ / "demo.toml").string() + "\n";
+    text += "next: " + demo_command(target_) + "\n";
     return text;
   }
 

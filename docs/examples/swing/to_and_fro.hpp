@@ -1,42 +1,32 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <mrroc/generator.hpp>
 #include <mrroc/robot.hpp>
-#include <numbers>
+#include <mrroc/tracker.hpp>
 
-/// The first axis goes there and back in `duration` s: q(t) = q(0) + angle sin^4(pi t / duration), at rest at both
-/// ends.
+/// The first axis goes to `angle` rad from where it is, and back, at a part `speed` of its limits.
 class ToAndFro : public mrroc::Generator {
  public:
-  ToAndFro(mrroc::Robot& robot, double angle, double duration)
-      : Generator("ToAndFro"), robot_(robot), angle_(angle), duration_(duration) {}
+  ToAndFro(mrroc::Robot& robot, double angle, double speed)
+      : Generator("ToAndFro"), robot_(robot), tracker_(robot, speed), angle_(angle) {}
 
   void start() override {
-    from_ = robot_.state().desired_joints;
-    time_ = 0;
+    there_ = back_ = robot_.state().desired_joints;
+    there_[0] += angle_;
+    returns_ = false;
   }
 
-  bool terminal_condition() override { return time_ >= duration_; }
+  bool terminal_condition() override { return returns_ && tracker_.arrived(); }
 
   void next_state() override {
-    time_ = std::min(time_ + robot_.step_duration(), duration_);
-    const double w = std::numbers::pi / duration_, s = std::sin(w * time_), c = std::cos(w * time_);
-    mrroc::RobotCommand& command = robot_.command();
-    command.kind = mrroc::CommandKind::joint;
-    command.joints = from_;
-    command.joints[0] += angle_ * s * s * s * s;
-    command.joint_velocity = mrroc::JointVector::Zero(from_.size());
-    command.joint_velocity[0] = 4 * angle_ * w * s * s * s * c;
-    command.joint_acceleration = mrroc::JointVector::Zero(from_.size());
-    command.joint_acceleration[0] = 4 * angle_ * w * w * s * s * (3 * c * c - s * s);
+    returns_ = returns_ || tracker_.arrived();
+    tracker_.to(returns_ ? back_ : there_);
   }
 
  private:
   mrroc::Robot& robot_;
-  double angle_;     // rad
-  double duration_;  // s
-  double time_ = 0;  // s, at the end of the macrostep
-  mrroc::JointVector from_;
+  mrroc::Tracker tracker_;
+  double angle_;  // rad
+  bool returns_ = false;
+  mrroc::JointVector there_, back_;
 };

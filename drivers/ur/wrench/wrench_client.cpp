@@ -10,7 +10,9 @@
 #include <cmath>
 #include <system_error>
 
+#include "clock/wall/sliced_wait.hpp"
 #include "clock/wall/wait.hpp"
+#include "drivers/ur/lockstep.hpp"
 
 namespace mrroc::ur {
 namespace {
@@ -76,7 +78,7 @@ void WrenchClient::await_first() {
     }
     clock::pause(kBetweenAttempts);
   }
-  while (counted_.packages == 0) {
+  while (counted_.packages == 0 && !options_.lockstep) {
     if (!connection_.wait_readable(deadline)) throw ConnectionError(connection_.name() + ": no data package");
     receive();
     if (!connection_.is_open()) throw ConnectionError(connection_.reason());
@@ -84,6 +86,7 @@ void WrenchClient::await_first() {
 }
 
 void WrenchClient::serve() noexcept {
+  if (options_.lockstep) return serve_lockstep();
   const std::int64_t timeout = std::llround(options_.timeout * 1e9);
   while (!is_ending(connection_.is_open() ? static_cast<int>(timeout / 1'000'000) : kMsBetweenAttempts)) {
     if (connection_.is_open()) {
@@ -97,6 +100,30 @@ void WrenchClient::serve() noexcept {
     }
   }
   connection_.pause();
+}
+
+void WrenchClient::serve_lockstep() noexcept {
+  while (connection_.is_open() && !is_ending(-1)) {
+    receive();
+    lost_.store(!connection_.is_open());
+    received_.open();
+  }
+  connection_.pause();
+}
+
+const MeasuredWrench* WrenchClient::await(Tick tick, double period) noexcept {
+  const Tick due = tick - tick % package_ticks(connection_.frequency(), period);
+  const MeasuredWrench* newest = nullptr;
+  const auto there = [&] {
+    const bool lost = lost_.load();  // first: packages that came before the end count
+    newest = handed_.load();
+    if (newest != nullptr && tick_of_package(newest->package.timestamp, period) >= due) return true;
+    newest = nullptr;
+    return lost;
+  };
+  const auto wait = [&](std::int64_t deadline) { return received_.wait(there, deadline - clock::monotonic_ns()); };
+  clock::wait_in_slices(kLockstepTimeout, wait);
+  return newest;
 }
 
 /// Waits for bytes of the controller; true: this object ends.
@@ -117,6 +144,10 @@ void WrenchClient::receive() noexcept {
 
 void WrenchClient::take(const WrenchPackage& package) noexcept {
   newest_.arrival_ns = clock::monotonic_ns();
+  if (options_.lockstep) {  // wall time does not judge it
+    newest_.package = package;
+    return handed_.store(newest_);
+  }
   const clock::PackageClock::Verdict verdict = clock_.take(package.timestamp, newest_.arrival_ns);
   ++counted_.packages;
   counted_.lost += verdict.lost;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "drivers/ur/lockstep.hpp"
 #include "geometry/rigid_motion.hpp"
 #include "mrroc/errors.hpp"
 #include "vsp/parameters.hpp"
@@ -15,8 +16,9 @@ namespace {
 WrenchOptions options_of(const vsp::SourceContext& context) {
   const config::KeyValues& keys = *context.entry.driver;
   const config::KeyValues& robot = context.deployment.robot(context.entry.robot).driver;
-  return {robot.text("address"), static_cast<int>(std::lround(robot.number("rtde_port"))), keys.number("frequency"),
-          keys.number("timeout"), keys.number("start_timeout")};
+  return {robot.text("address"),        static_cast<int>(std::lround(robot.number("rtde_port"))),
+          keys.number("frequency"),     keys.number("timeout"),
+          keys.number("start_timeout"), context.clock->simulated()};
 }
 
 void check(const vsp::SourceContext& context) {
@@ -61,6 +63,8 @@ UrWrenchSource::UrWrenchSource(const WrenchOptions& options, const Pose& mount, 
       mount_(mount),
       period_ns_(std::llround(servo_period * 1e9)),
       silent_after_(static_cast<Tick>(std::ceil(options.timeout / servo_period))),
+      period_(servo_period),
+      lockstep_(options.lockstep),
       client_(options) {}
 
 Tick UrWrenchSource::tick_of(std::int64_t arrival_ns) const noexcept {
@@ -69,13 +73,27 @@ Tick UrWrenchSource::tick_of(std::int64_t arrival_ns) const noexcept {
 }
 
 vsp::SourceState UrWrenchSource::read(Tick wanted, vsp::RawReading& raw) noexcept {
+  if (lockstep_) return await(wanted, raw);
   const MeasuredWrench& newest = client_.newest();
   const Tick tick = tick_of(newest.arrival_ns);
   if (wanted > tick && wanted - tick > silent_after_) return vsp::SourceState::silent;
   raw.tick = tick;
+  fill(newest, raw);
+  return vsp::SourceState::ready;
+}
+
+vsp::SourceState UrWrenchSource::await(Tick wanted, vsp::RawReading& raw) noexcept {
+  const MeasuredWrench* const newest = lost_ ? nullptr : client_.await(wanted, period_);
+  lost_ = newest == nullptr;
+  if (lost_) return vsp::SourceState::silent;
+  raw.tick = tick_of_package(newest->package.timestamp, period_);
+  fill(*newest, raw);
+  return vsp::SourceState::ready;
+}
+
+void UrWrenchSource::fill(const MeasuredWrench& newest, vsp::RawReading& raw) const noexcept {
   raw.count = 6;
   Eigen::Map<Wrench>(raw.values.data()) = -load_on_sensor(newest.package, newest.point, mount_);
-  return vsp::SourceState::ready;
 }
 
 std::unique_ptr<vsp::Source> open_ur_wrench(const vsp::SourceContext& context) {

@@ -14,11 +14,13 @@ namespace mrroc::ur {
 /// the wrench s with which the wrist supports the tool (N, N m), the negative of `load_on_sensor`. The controller has
 /// taken the payload's weight out of it. A reading's tick is that of its arrival on the clock's grid.
 ///
-/// silent: no package for `timeout`.
+/// In lockstep with a stand-in a reading is that of the wanted tick, for which `read` waits.
+///
+/// silent: no package for `timeout`, in lockstep for kLockstepTimeout of wall time.
 class UrWrenchSource final : public vsp::Source {
  public:
-  /// Waits for the first package. `clock` outlives the source; its `simulated()` is false. `servo_period` in s. Throws
-  /// as WrenchClient.
+  /// Waits for the first package. `clock` outlives the source; `options.lockstep` is its `simulated()`. `servo_period`
+  /// in s. Throws as WrenchClient.
   UrWrenchSource(const WrenchOptions& options, const Pose& mount, const clock::Clock& clock, double servo_period);
 
   vsp::SourceState read(Tick wanted, vsp::RawReading& raw) noexcept override;
@@ -27,11 +29,16 @@ class UrWrenchSource final : public vsp::Source {
 
  private:
   Tick tick_of(std::int64_t arrival_ns) const noexcept;
+  vsp::SourceState await(Tick wanted, vsp::RawReading& raw) noexcept;
+  void fill(const MeasuredWrench& newest, vsp::RawReading& raw) const noexcept;
 
   const clock::Clock* clock_;
   const Pose mount_;
   std::int64_t period_ns_;
   Tick silent_after_;
+  const double period_;  ///< s
+  const bool lockstep_;
+  bool lost_ = false;  ///< in lockstep
   WrenchClient client_;
 };
 

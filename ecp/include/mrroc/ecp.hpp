@@ -11,6 +11,8 @@
 #include "mrroc/conditions/operator_trigger.hpp"
 #include "mrroc/conditions/touching.hpp"
 #include "mrroc/conditions/travelled.hpp"
+#include "mrroc/generators/complying.hpp"
+#include "mrroc/generators/corrected.hpp"
 #include "mrroc/generators/force_control.hpp"
 #include "mrroc/generators/hold.hpp"
 #include "mrroc/generators/joint_line.hpp"
@@ -20,15 +22,18 @@
 
 namespace mrroc::ecp {
 
+class SuperiorCommands;
+
 /// c_l: the program of one effector. Derive, declare the robot and the sensors as members built from `*this`, write
 /// `run()`, or behaviours (`on<Pick>(...)` in the constructor), or both, and end the file with `MRROC_ECP(YourTask)`.
 /// The ECP starts it when the MP commands it: `run()` by `start("arm")`, a behaviour by `start("arm", Pick{...})`.
-/// While it runs, commands of MP-level Moves to this robot are refused (`busy`); when none runs, the ECP is
-/// transparent: it relays them to the EDP.
+/// While it runs, commands of MP-level Moves to this robot are refused (`busy`), but in a Move with a `Coordinated`
+/// generator, in which the MP takes part; when none runs, the ECP is transparent: it relays them to the EDP.
 class Task : public process::TaskProcess {
  public:
   /// Called by the framework only.
   Task();
+  ~Task() override;
 
   /// The program; empty by default. An exception ends it, as it ends a behaviour: an Error is reported to the MP with
   /// its class; `Stopped` is a stop.
@@ -42,6 +47,9 @@ class Task : public process::TaskProcess {
 
   /// Relays all waiting commands of the MP to the EDP. Between runs.
   void relay();
+
+  /// c_0 as this ECP sees it, for `Coordinated` generators: Complying{superior(), arm}.
+  Superior& superior() noexcept { return superior_; }
 
  protected:
   /// Sets the action for a start by the MP with a B, a type declared with MRROC_MESSAGE. In the constructor.
@@ -81,6 +89,8 @@ class Task : public process::TaskProcess {
   links::RobotResponder mp_;
   RobotLink* edp_;
   links::RobotRequester* requester_;  ///< `edp_`, when no injected faults are in between: messages pass as they came
+  std::unique_ptr<SuperiorCommands> superior_commands_;
+  Superior superior_;
   RobotCommand command_;
   RobotState state_;
 };

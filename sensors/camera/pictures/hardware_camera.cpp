@@ -23,6 +23,12 @@ void check_size(const config::SensorEntry& entry, const cv::VideoCapture& captur
          std::to_string(width) + " and " + std::to_string(height));
 }
 
+/// In manual control, as V4L2 counts: 100 us.
+bool expose(cv::VideoCapture& capture, double seconds) {
+  constexpr double kManual = 1, kPerSecond = 1e4;
+  return capture.set(cv::CAP_PROP_AUTO_EXPOSURE, kManual) && capture.set(cv::CAP_PROP_EXPOSURE, seconds * kPerSecond);
+}
+
 [[noreturn]] void refuse_device(const config::SensorEntry& entry, const std::string& device) {
   refuse(entry, "device", "\"" + device + "\" cannot be opened", "a camera's number or address, or a video file");
 }
@@ -73,7 +79,8 @@ std::unique_ptr<PictureSource> open_device(const SourceContext& context, cv::Mat
   check_size(entry, *capture, camera.intrinsics);
   const auto silent_after = static_cast<Tick>(std::ceil(kSilentAfter / context.servo_period));
   const std::shared_ptr<cv::VideoCapture> shared = std::move(capture);
-  return std::make_unique<LiveCamera>([shared](cv::Mat& taken) { return shared->read(taken); }, std::move(camera),
+  return std::make_unique<LiveCamera>([shared](cv::Mat& taken) { return shared->read(taken); },
+                                      [shared](double seconds) { return expose(*shared, seconds); }, std::move(camera),
                                       silent_after, picture);
 }
 

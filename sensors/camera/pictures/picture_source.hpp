@@ -4,6 +4,7 @@
 
 #include "mrroc/types.hpp"
 #include "sensors/camera/intrinsics.hpp"
+#include "vsp/configuration.hpp"
 #include "vsp/source.hpp"
 
 namespace mrroc::vsp {
@@ -16,6 +17,11 @@ class PictureSource : public Source {
   /// Of the camera (z along the view, x right, y down) in the flange frame of the robot that carries it, or in the
   /// world.
   virtual const Pose& mount() const noexcept = 0;
+  /// Exposes every picture for `seconds` from now on; the next `read` returns none from before. Throws
+  /// NonFatalError(invalid_argument) unless the source is a camera of hardware, HardwareError when that refuses.
+  virtual void expose(double seconds) {
+    refuse_configuration("Exposure", "seconds", seconds, "none: only a camera of hardware is exposed");
+  }
 };
 
 }  // namespace mrroc::vsp

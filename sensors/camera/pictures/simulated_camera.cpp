@@ -3,6 +3,7 @@
 #include <cmath>
 #include <opencv2/core.hpp>
 
+#include "sim/errors/true_errors.hpp"
 #include "sim/simulation.hpp"
 #include "vsp/make_source.hpp"
 #include "vsp/parameters.hpp"
@@ -31,7 +32,13 @@ SimulatedCamera::SimulatedCamera(const SourceContext& context, cv::Mat& picture)
       view_(view_of(*model_, context.entry)),
       intrinsics_(Intrinsics::pinhole(view_.width, view_.height, view_.field_of_view)),
       renderer_(*model_, view_.width, view_.height, SimulatedView::kQuality),
-      picture_(&picture) {}
+      picture_(&picture) {
+  const auto& sim = context.deployment.sim;
+  if (!sim || !sim->errors) return;
+  errors_.emplace(*sim->errors, context.entry.name, view_);
+  if (sim::latency_of_cameras(*sim->errors, context.servo_period) > 0) slot_ = &context.world->seen;
+  noise_deviation_ = std::hypot(noise_deviation_, sim->errors->pixel_noise);
+}
 
 SourceState SimulatedCamera::read(Tick wanted, RawReading& raw) noexcept {
   const bool there = slot_->load(snapshot_) || pictures_ > 0;  // during a write the previous state stays
@@ -54,8 +61,12 @@ SourceState SimulatedCamera::read(Tick wanted, RawReading& raw) noexcept {
 }
 
 void SimulatedCamera::draw() {
-  view_.draw(renderer_, drawn_);
+  if (errors_)
+    errors_->draw(renderer_, drawn_);
+  else
+    view_.draw(renderer_, drawn_);
   *picture_ = cv::Mat(drawn_.height, drawn_.width, CV_8UC3, drawn_.pixels.data());
+  if (errors_) errors_->distort(*picture_);
   if (noise_deviation_ <= 0) return;
   cv::RNG random(static_cast<std::uint64_t>(noise_.uniform(snapshot_.tick, kSeedStream) * 0x1p53));
   noise_picture_.create(drawn_.height, drawn_.width, CV_16SC3);

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+
+#include "sensors/camera/pictures/faulty_camera.hpp"
 #include "sensors/camera/pictures/picture_source.hpp"
 #include "sensors/camera/simulated_view.hpp"
 #include "sim/rendering/camera.hpp"
@@ -10,7 +13,9 @@ namespace mrroc::vsp {
 
 /// A camera of the simulated world. It draws the last stored state of the simulator (in lockstep the present tick's; in
 /// real time the newest, of tick `raw.tick`) in this process, 4 samples per pixel, without shadows, and adds noise that
-/// depends on (sensor, tick) only. The same state gives the same picture, bit for bit, on one machine.
+/// depends on (sensor, tick) only. With [sim.errors] the picture is that of the true camera, and of an
+/// older state where it is late, while `intrinsics` and
+/// `mount` stay the nominal ones. The same state gives the same picture, bit for bit, on one machine.
 class SimulatedCamera final : public PictureSource {
  public:
   /// `picture` outlives it. Throws SystemError: no simulated world, no such camera, no OpenGL; ConfigurationError: a
@@ -31,6 +36,7 @@ class SimulatedCamera final : public PictureSource {
   sim::Model model_;
   SimulatedView view_;
   Intrinsics intrinsics_;
+  std::optional<FaultyCamera> errors_;
   sim::Renderer renderer_;
   world::WorldSnapshot snapshot_{};
   sim::Picture drawn_;

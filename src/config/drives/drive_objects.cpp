@@ -16,6 +16,7 @@ using canopen::Object;
 /// The source of the value that the EDP writes into this object of every drive; null: the EDP does not write it.
 const char* source_of(Object object, bool absolute_encoders) {
   if (object == canopen::kConsumerHeartbeat) return "from the keys 'heartbeat' and 'master'";
+  if (object == canopen::kSyncIdentifier) return "from the key 'sync'";
   if (object == canopen::kProducerHeartbeat) return "from the key 'heartbeat'";
   if (object == canopen::kInterpolationTime || object == canopen::kInterpolationExponent)
     return "from the deployment's servo_period";

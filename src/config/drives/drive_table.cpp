@@ -130,9 +130,28 @@ std::vector<const Table*> by_axis(const Table& file, const std::vector<Table>& t
   return sorted;
 }
 
+/// Identifiers beside the predefined one are those of the EMCY of nodes that the bus does not have.
+std::uint32_t read_sync(const Table& table, const DriveTable& drives) {
+  const auto sync =
+      static_cast<std::uint32_t>(table.integer_or("sync", drives.sync, canopen::kSync, canopen::kLastSync));
+  const canopen::ObjectEntry* const entry = drives.eds.find(canopen::kSyncIdentifier);
+  if (sync != canopen::kSync && (entry == nullptr || !entry->writable()))
+    table.fail("sync",
+               std::to_string(sync) + ", but the drives have no identifier of the SYNC that can be written (1005h)",
+               "128, or drives that have it");
+  return sync;
+}
+
+/// The EMCY of a node has an identifier in the range of the SYNCs.
+void check_emergency(const Table& table, canopen::NodeId node, std::uint32_t sync) {
+  if (sync != canopen::kSync && node == sync - canopen::kEmergency)
+    table.fail("node", std::to_string(node) + ", whose EMCY has the identifier of the table's 'sync'", "another one");
+}
+
 void check_node(const Table& table, canopen::NodeId node, const DriveTable& drives) {
   if (node == drives.master)
     table.fail("node", std::to_string(node) + " is the master's", "another one, or another 'master' of the table");
+  check_emergency(table, node, drives.sync);
   for (const DriveEntry& drive : drives.drives)
     if (drive.node == node)
       table.fail("node", std::to_string(node) + " is the node of the drive of " + in_quotes(drive.axis),
@@ -158,8 +177,8 @@ void read_drives(const Table& file, const RobotParameters& robot, DriveTable& dr
 
 DriveTable read_drive_table(const std::filesystem::path& file, const RobotParameters& robot) {
   const Table table = Table::load(file);
-  table.only({"eds", "mode", "absolute_encoders", "master", "heartbeat", "answer_time", "missed_max", "switch_on_time",
-              "set_points", "status_every", "objects", "drives"});
+  table.only({"eds", "mode", "absolute_encoders", "master", "sync", "heartbeat", "answer_time", "missed_max",
+              "switch_on_time", "set_points", "status_every", "objects", "drives"});
   DriveTable drives;
   drives.file = file;
   drives.mode = read_mode(table);
@@ -175,6 +194,7 @@ DriveTable read_drive_table(const std::filesystem::path& file, const RobotParame
       (table.has("set_points") ? table.choice("set_points", {"at sync", "at once"}) : usual) == "at sync";
   drives.status_every = static_cast<int>(table.integer_or("status_every", drives.status_every, 1, 240));
   drives.eds = read_drive_eds(table, drives.mode);
+  drives.sync = read_sync(table, drives);
   read_drives(table, robot, drives);
   return drives;
 }

@@ -40,12 +40,13 @@ struct DriveTable {
   canopen::DriveMode mode = canopen::DriveMode::cyclic_position;
   bool absolute_encoders = false;  ///< positions are absolute from the start; otherwise the robot must be synchronised
   canopen::NodeId master = 127;    ///< whose heartbeats the drives watch: ours
-  double heartbeat = 0.1;          ///< s between two heartbeats of each node; it is lost after three times that
-  double answer_time = 0.5;        ///< of the servo period: the drives' maximum time to answer a SYNC
-  int missed_max = 2;              ///< consecutive SYNCs that a drive may leave unanswered
-  double switch_on_time = 2.0;     ///< s for a drive to switch on, off, or reset
-  bool target_at_sync = true;      ///< the drives apply a set-point at the next SYNC, else at once
-  int status_every = 4;            ///< SYNCs between two PDOs of velocity and switches
+  std::uint32_t sync = canopen::kSync;  ///< identifier of our SYNC; distinct for each robot on one bus
+  double heartbeat = 0.1;               ///< s between two heartbeats of each node; it is lost after three times that
+  double answer_time = 0.5;             ///< of the servo period: the drives' maximum time to answer a SYNC
+  int missed_max = 2;                   ///< consecutive SYNCs that a drive may leave unanswered
+  double switch_on_time = 2.0;          ///< s for a drive to switch on, off, or reset
+  bool target_at_sync = true;           ///< the drives apply a set-point at the next SYNC, else at once
+  int status_every = 4;                 ///< SYNCs between two PDOs of velocity and switches
   std::vector<DriveEntry> drives;
   canopen::EdsFile eds;  ///< a drive's object dictionary
 };

@@ -33,6 +33,19 @@ AnalogTerminals read_analog(const Table& table, const std::string& kind, int& ta
   return terminals;
 }
 
+/// A node without 1005h takes the predefined SYNC only.
+void check_sync(const Table& table, const IoEntry& node, const DriveTable& drives) {
+  if (drives.sync == canopen::kSync) return;
+  if (node.node == drives.sync - canopen::kEmergency)
+    table.fail("node", std::to_string(node.node) + ", whose EMCY has the identifier of the SYNC of the drives' table",
+               "another one");
+  const canopen::ObjectEntry* const entry = node.eds.find(canopen::kSyncIdentifier);
+  if (entry == nullptr || !entry->writable())
+    table.fail("eds",
+               "has no identifier of the SYNC that can be written (1005h), and the drives' table has its own 'sync'",
+               "a node that has it");
+}
+
 void check_node(const Table& table, canopen::NodeId node, const DriveTable& drives, const IoTable& io) {
   const std::string number = std::to_string(node);
   if (node == drives.master) table.fail("node", number + " is the master's", "another one");
@@ -79,6 +92,7 @@ IoTable read_io_table(const std::filesystem::path& file, const DriveTable& drive
                "analog_outputs", "analog_output_range", "objects"});
     IoEntry entry = read_node(node, taken);
     check_node(node, entry.node, drives, io);
+    check_sync(node, entry, drives);
     io.nodes.push_back(std::move(entry));
   }
   return io;

@@ -7,7 +7,9 @@
 
 #include "config/drives/drive_table.hpp"
 #include "config/drives/io_table.hpp"
+#include "config/entries/bus_capacity.hpp"
 #include "config/entries/named_file.hpp"
+#include "config/entries/shared_bus.hpp"
 #include "config/resources.hpp"
 #include "config/robot_parameters_file.hpp"
 #include "config/text/file_text.hpp"
@@ -48,13 +50,6 @@ void check_period(const Table& table, double period) {
   }
   table.fail("", "drives on a bus do not support a servo period of " + number_text(period) + " s",
              "a whole number up to 255 of 1 ms, 0.1 ms, 10 us or 1 us");
-}
-
-void check_interface_is_free(const Table& table, const Deployment& deployment, const RobotEntry& robot) {
-  for (const RobotEntry& other : deployment.robots)
-    if (other.can && other.can->interface == robot.can->interface && other.host == robot.host)
-      table.fail("interface", in_quotes(robot.can->interface) + " is that of robot " + in_quotes(other.name),
-                 "a separate bus for each robot: one robot sends the SYNC");
 }
 
 void check_process_name(const Table& table, const RobotEntry& robot) {
@@ -119,7 +114,6 @@ void read_can(const Table& robot_table, const Deployment& deployment, RobotEntry
   CanEntry& can = robot.can.emplace();
   can.interface = read_interface(table);
   check_period(table, deployment.servo_period);
-  check_interface_is_free(table, deployment, robot);
   if (robot.driver.simulated) check_process_name(table, robot);
   can.drives = named_table(table, "drives");
   if (can.drives.empty()) can.drives = robot.files().drives;
@@ -130,9 +124,16 @@ void read_can(const Table& robot_table, const Deployment& deployment, RobotEntry
   const RobotParameters parameters = read_robot_parameters(Table::load(robot.files().parameters));
   const DriveTable drives = read_drive_table(can.drives, parameters);
   settle_synchronised(robot_table, drives, robot);
-  if (can.io.empty()) return;
-  require_readable(table, "io", can.io, "I/O nodes");
-  check_emergency_stop(robot_table, read_io_table(can.io, drives));
+  IoTable io;
+  if (!can.io.empty()) {
+    require_readable(table, "io", can.io, "I/O nodes");
+    io = read_io_table(can.io, drives);
+    check_emergency_stop(robot_table, io);
+  }
+  std::vector<BusNodes> all = others_on_bus(deployment, robot);
+  all.push_back({robot, drives, std::move(io)});
+  check_shared_bus(table, all);
+  check_bus_capacity(table, deployment.servo_period, all);
 }
 
 }  // namespace mrroc::config

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "config/clock_names.hpp"
 #include "config/entries/declared_keys.hpp"
 #include "config/entries/named_file.hpp"
 #include "config/resources.hpp"
@@ -50,14 +51,9 @@ std::vector<ClockMode> read_clocks(const Table& driver, std::string_view key) {
   if (!driver.has(key)) return {ClockMode::real, ClockMode::paced, ClockMode::lockstep};
   std::vector<ClockMode> clocks;
   for (const std::string& name : driver.texts(key)) {
-    if (name == "real")
-      clocks.push_back(ClockMode::real);
-    else if (name == "paced")
-      clocks.push_back(ClockMode::paced);
-    else if (name == "lockstep")
-      clocks.push_back(ClockMode::lockstep);
-    else
-      driver.fail(key, "unknown clock " + in_quotes(name), alternatives({"real", "paced", "lockstep"}));
+    const auto clock = clock_named(name);
+    if (!clock) driver.fail(key, "unknown clock " + in_quotes(name), alternatives(clock_names()));
+    clocks.push_back(*clock);
   }
   return clocks;
 }
@@ -85,11 +81,20 @@ Table own_table(const DriverDeclaration& declared, const Table& table, std::stri
   return Table::parse(driver.file(), "");
 }
 
+/// Whether the sensor of this table is inside the controller of its robot, and that controller is simulated.
+bool in_simulated_controller(const Table& table, const DriverEntry& driver, const Deployment& deployment) {
+  if (driver.controller.empty()) return false;
+  const std::string robot = table.optional_text("robot").value_or("");
+  return std::any_of(deployment.robots.begin(), deployment.robots.end(), [&](const RobotEntry& each) {
+    return each.name == robot && each.driver.name == driver.controller && each.driver.simulated;
+  });
+}
+
 void read_stand_in(const Table& driver, const Table& own, const Deployment& deployment, const std::string& type,
-                   const std::string& host, DriverEntry& entry) {
+                   const std::string& host, bool simulated_controller, DriverEntry& entry) {
   const auto program = driver.optional_text("stand_in");
-  entry.clocks = read_clocks(driver, "clocks");
   const std::vector<ClockMode> simulated_clocks = read_clocks(driver, "stand_in_clocks");
+  entry.clocks = simulated_controller ? simulated_clocks : read_clocks(driver, "clocks");
   if (!program) return;
   entry.simulated = own.boolean_or("simulated", false);
   if (!entry.simulated) return;
@@ -150,9 +155,10 @@ DriverEntry read_driver(const Table& table, std::string_view key, const std::str
   if (entry.world && !deployment.sim) table.fail(key, in_quotes(name) + " needs a simulator", "a table [sim]");
   const Table own = own_table(declared, table, key, device);
   refuse_unknown_keys(driver, own);
-  read_stand_in(driver, own, deployment, type, host, entry);
+  read_stand_in(driver, own, deployment, type, host, in_simulated_controller(table, entry, deployment), entry);
   read_declared_keys(driver, own, kCommonKeys, entry);
-  if (works_under(entry, deployment.clock)) return entry;
+  // the clock of a controller is judged with its robot
+  if (works_under(entry, deployment.clock) || !entry.controller.empty()) return entry;
   const std::vector<ClockMode> of_stand_in = read_clocks(driver, "stand_in_clocks");
   const bool stand_in_would = driver.has("stand_in") && !entry.simulated &&
                               std::find(of_stand_in.begin(), of_stand_in.end(), deployment.clock) != of_stand_in.end();

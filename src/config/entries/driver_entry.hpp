@@ -22,7 +22,7 @@ namespace mrroc::config {
 /// world without a [sim], another clock, and on the device's own host for a missing library or stand-in.
 ///
 /// A sensor inside a controller has the controller's name in `source` and as its sub-table, instead of NAME:
-/// `join_controller`.
+/// `join_controller`. Where the controller is simulated, it works under `stand_in_clocks`.
 DriverEntry read_driver(const Table& table, std::string_view key, const std::string& device, const std::string& type,
                         const std::string& host, const Deployment& deployment);
 

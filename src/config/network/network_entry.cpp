@@ -29,6 +29,8 @@ std::filesystem::path read_keys(const Table& table) {
   return folder;
 }
 
+}  // namespace
+
 std::string read_interface(const Table& table) {
   const std::string interface = table.text("interface");
   const auto allowed = [](char c) { return c > ' ' && c < 127 && c != '"' && c != '<' && c != '&' && c != '/'; };
@@ -37,8 +39,6 @@ std::string read_interface(const Table& table) {
   }
   return interface;
 }
-
-}  // namespace
 
 bool beyond_loopback(const std::string& interface) {
   return !interface.empty() && interface != "lo" && !interface.starts_with("127.");

@@ -11,6 +11,9 @@ namespace mrroc::config {
 /// it, security without keys, a missing key folder.
 NetworkEntry read_network(const Table& root, const Deployment& deployment);
 
+/// The key `interface` of a table: a network device or an address. Throws ConfigurationError for what is neither.
+std::string read_interface(const Table& table);
+
 /// Whether a deployment on `interface` can be reached from other machines: all but the loopback device and its
 /// addresses.
 bool beyond_loopback(const std::string& interface);

@@ -29,6 +29,8 @@ class SpeedOverride {
   void begin() noexcept;
   /// The generator writes the next commands.
   bool due() const noexcept { return due_; }
+  /// Whether it can scale the generator's motion.
+  bool scales() const noexcept { return scales_; }
   /// Whether the motion is executed otherwise than the generator commands it.
   bool acts() const noexcept { return scales_ && !(due_ && place_ == 0 && scale_.is_real_time()); }
   /// Stretches the commands to `wanted`, 0..1; 0 brings the robots to rest on their paths.

@@ -54,7 +54,8 @@ bool visit_fields(M& m, Wire& w, const Visitor& v) noexcept {
          v.field(m.reply_step, w.reply_step) && v.field(m.start_tick, w.start_tick) && v.field(m.joints, w.joints) &&
          v.field(m.joint_velocity, w.joint_velocity) && v.field(m.joint_acceleration, w.joint_acceleration) &&
          v.field(m.pose, w.pose) && v.field(m.twist, w.twist) && v.field(m.twist_acceleration, w.twist_acceleration) &&
-         v.field(m.force, w.force) && v.field(m.choice, w.choice) && v.field(m.with_outputs, w.with_outputs) &&
+         v.field(m.force, w.force) && v.field(m.stop.ticks, w.stop_ticks) && v.field(m.stop.rate, w.stop_rate) &&
+         v.field(m.load, w.load) && v.field(m.choice, w.choice) && v.field(m.with_outputs, w.with_outputs) &&
          v.field(m.outputs, w.outputs);
 }
 
@@ -68,17 +69,19 @@ bool visit_fields(M& m, Wire& w, const Visitor& v) noexcept {
          v.field(m.model, w.model) && v.field(m.tool, w.tool) && v.field(m.wrench, w.wrench) &&
          v.field(m.lost, w.lost) && v.field(m.inputs, w.inputs) && v.field(m.outputs, w.outputs) &&
          v.field(m.regulators, w.regulators) && v.field(m.synchronised, w.synchronised) &&
-         v.field(m.enabled, w.enabled) && v.field(m.late_commands, w.late_commands) && v.field(m.error, w.error);
+         v.field(m.enabled, w.enabled) && v.field(m.coordination, w.coordination) &&
+         v.field(m.late_commands, w.late_commands) && v.field(m.error, w.error);
 }
 
 template <Is<SensorRequest> M, class Wire, class Visitor>
 bool visit_fields(M& m, Wire& w, const Visitor& v) noexcept {
-  return v.field(m.kind, w.request_kind) && v.field(m.measure_at, w.measure_at);
+  return v.field(m.kind, w.request_kind) && v.field(m.measure_at, w.measure_at) &&
+         v.field(m.configuration, w.configuration);
 }
 
 template <Is<SensorReading> M, class Wire, class Visitor>
 bool visit_fields(M& m, Wire& w, const Visitor& v) noexcept {
-  return v.field(m.sequence, w.number) && v.field(m.tick, w.tick) &&
+  return v.field(m.sequence, w.number) && v.field(m.tick, w.tick) && v.field(m.configuration, w.configuration) &&
          v.count(m.channel_count, w.channel_count, kMaxChannels) && v.field(m.values, w.values) &&
          v.field(m.error, w.error);
 }

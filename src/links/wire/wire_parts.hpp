@@ -27,13 +27,15 @@ using Value = std::type_identity<T>;
 template <class Enum>
 inline constexpr Enum kLast = Enum::unknown;
 template <>
-inline constexpr CommandKind kLast<CommandKind> = CommandKind::set_outputs;
+inline constexpr CommandKind kLast<CommandKind> = CommandKind::end;
+template <>
+inline constexpr Coordination kLast<Coordination> = Coordination::left;
 template <>
 inline constexpr Interpolation kLast<Interpolation> = Interpolation::task;
 template <>
 inline constexpr AxisBehaviour kLast<AxisBehaviour> = AxisBehaviour::contact;
 template <>
-inline constexpr SensorRequestKind kLast<SensorRequestKind> = SensorRequestKind::bias;
+inline constexpr SensorRequestKind kLast<SensorRequestKind> = SensorRequestKind::configure;
 template <>
 inline constexpr TaskCommandKind kLast<TaskCommandKind> = TaskCommandKind::speed;
 template <>
@@ -117,6 +119,16 @@ using Column = Eigen::Matrix<double, Rows, 1>;
 inline void put(const Column<6>& value, double (&wire)[6]) noexcept { Eigen::Map<Column<6>>{wire} = value; }
 inline bool is_valid(Value<Column<6>>, const double (&)[6]) noexcept { return true; }
 inline void get(const double (&wire)[6], Column<6>& value) noexcept { value = Eigen::Map<const Column<6>>{wire}; }
+
+inline void put(const Load& value, double (&wire)[4]) noexcept {
+  wire[0] = value.mass;
+  Eigen::Map<Column<3>>{wire + 1} = value.centre;
+}
+inline bool is_valid(Value<Load>, const double (&)[4]) noexcept { return true; }
+inline void get(const double (&wire)[4], Load& value) noexcept {
+  value.mass = wire[0];
+  value.centre = Eigen::Map<const Column<3>>{wire + 1};
+}
 
 static_assert(std::extent_v<decltype(mrroc_wire_Axes::values)> == kMaxJoints, "messages.idl: Axes");
 

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "config/clock_names.hpp"
 #include "process/record/claimed_file.hpp"
 #include "process/record/step_reporter.hpp"
 #include "process/record/trace_header.hpp"
@@ -15,8 +16,10 @@ namespace {
 
 /// A simulated clock may differ from the deployment's: for the rules of a trace they are equivalent.
 const char* clock_of(const config::Deployment& deployment, bool simulated) noexcept {
-  if (!simulated) return "real";
-  return deployment.clock == config::ClockMode::paced ? "paced" : "lockstep";
+  const bool differs = simulated && deployment.clock == config::ClockMode::real;
+  return config::name_of(!simulated ? config::ClockMode::real
+                         : differs  ? config::ClockMode::lockstep
+                                    : deployment.clock);
 }
 
 }  // namespace

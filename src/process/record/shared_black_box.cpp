@@ -1,19 +1,11 @@
 #include "process/record/shared_black_box.hpp"
 
-#include <sys/mman.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <cerrno>
-#include <cstring>
-#include <string>
 #include <utility>
 
 #include "mrroc/black_box.hpp"
-#include "mrroc/errors.hpp"
 
 namespace mrroc::process {
 
@@ -28,46 +20,20 @@ namespace {
 
 constexpr int kAttempts = 100;  // to copy the newest line while the process records
 
-[[noreturn]] void refuse(const std::string& what) {
-  throw SystemError(ErrorCode::resources, "memory of a black box: " + what);
-}
+constexpr const char* kWhat = "memory of a black box";
 
 }  // namespace
 
-SharedBlackBox::Memory* SharedBlackBox::map(int fd) noexcept {
-  // touch all pages now: the first step on a new one would wait for the kernel
-  void* memory = mmap(nullptr, sizeof(Memory), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_POPULATE, fd, 0);
-  return memory == MAP_FAILED ? nullptr : static_cast<Memory*>(memory);
-}
-
 SharedBlackBox SharedBlackBox::create() {
-  const int fd = memfd_create("mrroc-black-box", MFD_CLOEXEC);
-  if (fd < 0) refuse(std::strerror(errno));
-  Memory* memory = ftruncate(fd, sizeof(Memory)) == 0 ? map(fd) : nullptr;
-  if (memory == nullptr) {
-    const std::string reason = std::strerror(errno);
-    close(fd);
-    refuse(reason);
-  }
-  return {memory, fd};
+  return SharedBlackBox(core::SharedMemory::create("mrroc-black-box", sizeof(Memory), kWhat));
 }
 
 SharedBlackBox SharedBlackBox::attach(int fd) {
-  struct stat status {};
-  if (fstat(fd, &status) != 0 || status.st_size != static_cast<off_t>(sizeof(Memory)))
-    refuse("descriptor " + std::to_string(fd) + " is not such a memory");
-  Memory* memory = map(fd);
-  if (memory == nullptr) refuse(std::strerror(errno));
-  return {memory, -1};
+  return SharedBlackBox(core::SharedMemory::attach(fd, sizeof(Memory), kWhat));
 }
 
-SharedBlackBox::~SharedBlackBox() {
-  if (memory_ != nullptr) munmap(memory_, sizeof(Memory));
-  if (fd_ >= 0) close(fd_);
-}
-
-SharedBlackBox::SharedBlackBox(SharedBlackBox&& other) noexcept
-    : memory_(std::exchange(other.memory_, nullptr)), fd_(std::exchange(other.fd_, -1)) {}
+SharedBlackBox::SharedBlackBox(core::SharedMemory mapped) noexcept
+    : mapped_(std::move(mapped)), memory_(static_cast<Memory*>(mapped_.address())) {}
 
 void SharedBlackBox::record(const TextLine& line) noexcept {
   memory_->lines[memory_->written.load(std::memory_order_relaxed) % memory_->lines.size()] = line;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/shared_memory.hpp"
 #include "process/record/text_line.hpp"
 
 namespace mrroc::process {
@@ -17,12 +18,9 @@ class SharedBlackBox {
   static SharedBlackBox create();
   /// Throws SystemError(resources) when `fd` is not such a memory. The descriptor stays the caller's.
   static SharedBlackBox attach(int fd);
-  ~SharedBlackBox();
-  SharedBlackBox(SharedBlackBox&& other) noexcept;
-  SharedBlackBox& operator=(SharedBlackBox&&) = delete;
 
   /// Descriptor of a memory that was created here; -1 otherwise. Closed with this object.
-  int fd() const noexcept { return fd_; }
+  int fd() const noexcept { return mapped_.fd(); }
 
   /// Replaces the oldest line by a copy of this one. Task's thread; neither allocates nor blocks.
   void record(const TextLine& line) noexcept;
@@ -39,11 +37,10 @@ class SharedBlackBox {
 
  private:
   struct Memory;
-  SharedBlackBox(Memory* memory, int fd) noexcept : memory_(memory), fd_(fd) {}
-  static Memory* map(int fd) noexcept;
+  explicit SharedBlackBox(core::SharedMemory mapped) noexcept;
 
+  core::SharedMemory mapped_;
   Memory* memory_;
-  int fd_;
 };
 
 }  // namespace mrroc::process

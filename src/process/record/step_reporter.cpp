@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "process/record/trace_words.hpp"
+
 namespace mrroc::process {
 
 namespace {
@@ -16,29 +18,6 @@ void write_pose(TextLine& line, const Pose& pose) noexcept {
   const Eigen::Vector3d position = pose.translation();
   line << position.x() << "," << position.y() << "," << position.z() << "," << rotation.w() << "," << rotation.x()
        << "," << rotation.y() << "," << rotation.z();
-}
-
-const char* name_of(CommandKind kind) noexcept {
-  switch (kind) {
-    case CommandKind::query:
-      return "query";
-    case CommandKind::hold:
-      return "hold";
-    case CommandKind::joint:
-      return "joint";
-    case CommandKind::pose:
-      return "pose";
-    case CommandKind::motor:
-      return "motor";
-    case CommandKind::joint_velocity:
-      return "joint_velocity";
-    case CommandKind::twist:
-      return "twist";
-    case CommandKind::force:
-      return "force";
-    default:
-      return "change";  // of the robot itself: not commanded by a Move or Wait
-  }
 }
 
 /// A generator may write an invalid value: the EDP refuses it after it has been reported.
@@ -81,7 +60,7 @@ void write_target(TextLine& line, const RobotCommand& command) noexcept {
 }
 
 void write_command(TextLine& line, const RobotCommand& command) noexcept {
-  line << name_of(command.kind) << (command.relative ? ",relative" : "");
+  line << word_of(kCommandWords, command.kind) << (command.relative ? ",relative" : "");
   if (command.interpolation == Interpolation::motors) line << ",motors";
   if (command.interpolation == Interpolation::task) line << ",task";
   line << ",N" << std::uint64_t{command.motion_steps} << ",v" << std::uint64_t{command.reply_step};
@@ -103,6 +82,8 @@ void write_robot(TextLine& line, const std::string& name, const RobotState& stat
   write_vector(line, state.desired_joints);
   write_pose(line << " desired_pose=", state.desired_pose);
   if (!state.at_rest()) line << " moving";
+  if (state.coordination == Coordination::takes_part) line << " coordinated";
+  if (state.coordination == Coordination::left) line << " left";
   if (state.late_commands != 0) line << " late=" << std::uint64_t{state.late_commands};
   if (!state.wrench.isZero(0)) write_vector(line << " wrench=", state.wrench);
   if (state.lost != 0) line << " lost=" << state.lost;
@@ -122,29 +103,9 @@ void write_sensor(TextLine& line, const InstructionRecord::SensorEntry& sensor, 
   if (sensor.period != 1) line << " period=" << std::uint64_t{sensor.period};
   if (!sensor.interactive) line << " published";
   if (is_polled(sensor.name, deployment)) line << " polled";
+  if (reading.configuration != 0) line << " configuration=" << std::uint64_t{reading.configuration};
+  if (sensor.configuration != 0) line << " configured=" << std::uint64_t{sensor.configuration};
   write_error(line, reading.error);
-}
-
-const char* name_of(StepEnding ending) noexcept {
-  switch (ending) {
-    case StepEnding::none:
-      return "none";
-    case StepEnding::condition:
-      return "condition";
-    case StepEnding::generator:
-      return "generator";
-    case StepEnding::end_motion:
-      return "end_motion";
-    case StepEnding::stopped:
-      return "stopped";
-    case StepEnding::non_fatal_error:
-      return "non_fatal_error";
-    case StepEnding::hardware_error:
-      return "hardware_error";
-    case StepEnding::system_error:
-      return "system_error";
-  }
-  return "none";
 }
 
 }  // namespace
@@ -157,27 +118,31 @@ void format_step(TextLine& line, const config::Deployment& deployment, std::stri
   if (instruction.until) line << " until=\"" << *instruction.until << "\"";
   line << " step=" << record.step;
   if (record.held != 0) line << " held=" << record.held;
+  if (record.obtained) line << " obtained";
   for (std::size_t i = 0; i < record.states.size(); ++i) {
     write_robot(line, instruction.robots[i], record.states[i]);
     if (!record.last()) write_command(line << " command=", record.commands[i]);
+    if (record.superior) write_command(line << " superior=", *record.superior);
   }
   for (std::size_t i = 0; i < record.readings.size(); ++i)
     write_sensor(line, instruction.sensors[i], record.readings[i], deployment);
   for (std::size_t i = 0; i < record.conditions.size(); ++i)
     line << " condition=\"" << instruction.conditions[i] << "\":" << (record.conditions[i] != 0 ? "1" : "0");
-  if (record.last()) line << " end=" << name_of(record.ending);
+  if (record.last()) line << " end=" << word_of(kEndingWords, record.ending);
   if (record.last() && record.states.size() > 1) line << " skew=" << record.skew;
 }
 
 StepReporter::StepReporter(Process& process) : process_(process) {
   if (const int fd = process.arguments().black_box_fd; fd >= 0) last_steps_.emplace(SharedBlackBox::attach(fd));
   const Arguments& arguments = process.arguments();
+  if (arguments.record_fd >= 0) ring_.emplace(StepRing::attach(arguments.record_fd));
   if (arguments.trace_fd >= 0)
     trace_ =
         std::make_unique<TraceFile>(arguments.trace_fd, arguments.trace, process.name(), process.clock().simulated());
 }
 
 StepReporter::~StepReporter() {
+  if (ring_) ring_->end();
   if (trace_ == nullptr) return;
   if (const std::string problem = trace_->close(); !problem.empty()) process_.fail_at_end(problem);
 }
@@ -190,13 +155,14 @@ void StepReporter::on_step(const StepRecord& record) noexcept {
     counters_.skew_ticks = std::max<std::uint64_t>(counters_.skew_ticks, record.skew);
     process_.status().counters(counters_);
   }
-  if (last_steps_ || trace_ != nullptr) write_line(record);
+  if (last_steps_ || trace_ != nullptr || ring_) write_line(record);
 }
 
 void StepReporter::write_line(const StepRecord& record) noexcept {
   line_.clear();
   format_step(line_, process_.deployment(), process_.name(), record);
   if (last_steps_) last_steps_->record(line_);
+  if (ring_) ring_->add(process_.clock().tick(), line_, process_.clock().simulated());
   if (trace_ == nullptr) return;
   if (TextLine* const next = trace_->begin(); next != nullptr) {
     *next = line_;

@@ -6,13 +6,15 @@
 #include "mrroc/step_observer.hpp"
 #include "process/process.hpp"
 #include "process/record/shared_black_box.hpp"
+#include "process/record/step_ring.hpp"
 #include "process/record/trace_file.hpp"
 
 namespace mrroc::process {
 
 /// Reports the current step of a task to the operator, keeps the last steps in memory that outlives the process, and
-/// writes the trace on request: one line per step, documented in docs/reference/trace.md. Neither allocates nor blocks
-/// (except for a trace under a simulated clock, which loses nothing).
+/// writes the trace and hands the steps to the recording on request: one line per step, documented in
+/// docs/reference/trace.md. Neither allocates nor blocks (except for a trace or a recording under a simulated clock,
+/// which lose nothing).
 class StepReporter : public StepObserver {
  public:
   explicit StepReporter(Process& process);
@@ -29,6 +31,7 @@ class StepReporter : public StepObserver {
   TextLine line_;
   std::optional<SharedBlackBox> last_steps_;
   std::unique_ptr<TraceFile> trace_;
+  std::optional<StepRing> ring_;
   links::Counters counters_;
   std::uint64_t steps_ = 0;  ///< of all instructions
 };

@@ -17,10 +17,9 @@ namespace mrroc::transfer {
 
 namespace {
 
-constexpr double kServoPeriod = 0.002;                                      // s, the deployment's
-constexpr double kGripInWrist = 0.285;                                      // m
-constexpr double kToolMass = 2.04;                                          // kg, of gripper and adapter by their MJCF
-constexpr std::array<double, 3> kToolCentre{0.002157, 0.002059, 0.136078};  // m, in the wrist's frame
+constexpr double kServoPeriod = 0.002;                            // s, the deployment's
+constexpr double kToolMass = 2.04;                                // kg, of gripper and adapter by their MJCF
+constexpr std::array<double, 2> kToolCentre{0.002157, 0.002059};  // m, x and y, in the wrist's frame
 
 /// The numbers after `field`, from `from` on; empty when the line does not have it.
 std::vector<double> numbers(const std::string& line, const std::string& field, std::size_t from = 0) {
@@ -47,16 +46,16 @@ Pose pose_of(const std::vector<double>& v) {
 }
 
 /// The bar's wrench on an arm's grip, in the world's axes (those of both bases), without the tool's weight.
-Wrench wrench_of(const std::string& line, const std::string& arm) {
+Wrench wrench_of(const std::string& line, const std::string& arm, const Arms& arms) {
   const Eigen::Matrix3d axes = pose_of(numbers_of(line, "robot=" + arm, "pose")).linear();
   const Eigen::Vector3d weight(0, 0, -9.81 * kToolMass);
-  const Eigen::Vector3d centre(kToolCentre[0], kToolCentre[1], kToolCentre[2] - kGripInWrist);
+  const Eigen::Vector3d centre(kToolCentre[0], kToolCentre[1], arms.tool_centre - arms.grip);
   const std::vector<double> v = numbers_of(line, "sensor=" + arm + "_wrist", "values");
   if (v.size() != 6) throw std::runtime_error("a line without a wrench");
   const Eigen::Vector3d force(v[0], v[1], v[2]), torque(v[3], v[4], v[5]);
   Wrench wrench;
   wrench << axes * force - weight,
-      axes * (torque - kGripInWrist * Eigen::Vector3d::UnitZ().cross(force)) - (axes * centre).cross(weight);
+      axes * (torque - arms.grip * Eigen::Vector3d::UnitZ().cross(force)) - (axes * centre).cross(weight);
   return wrench;
 }
 
@@ -71,13 +70,13 @@ double worst(const std::vector<ReportStep>& steps, Value&& value) {
 
 }  // namespace
 
-Report read_report(const std::filesystem::path& trace) {
+Report read_report(const std::filesystem::path& trace, const Arms& arms) {
   struct Part {
     std::vector<Pose> poses;
     const CooperativeLimits* limits;
   };
   const std::vector<Part> parts{
-      {way::lift(), &kNear}, {way::carry(), &kFree}, {way::lower(), &kNear}, {way::put_down(), &kTouch}};
+      {way::lift(), &kNear}, {way::carry(arms), &kFree}, {way::lower(), &kNear}, {way::put_down(), &kTouch}};
   Report report;
   std::ifstream file(trace);
   std::string last;
@@ -120,7 +119,7 @@ Report read_report(const std::filesystem::path& trace) {
       step.way_off = (bar.translation() - there.translation()).norm();
       step.turn_off = angle(bar, there);
     }
-    const Wrench left = wrench_of(line, "left"), right = wrench_of(line, "right");
+    const Wrench left = wrench_of(line, "left", arms), right = wrench_of(line, "right", arms);
     step.internal = bar.linear().transpose() * (left - right).head<3>() / 2;
     step.internal_torque = bar.linear().transpose() * (left - right).tail<3>() / 2;
     step.weight = -left.z() - right.z();

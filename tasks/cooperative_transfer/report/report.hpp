@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "cooperative_transfer/transfer_path.hpp"
 #include "mrroc/types.hpp"
 
 namespace mrroc::transfer {
@@ -36,6 +37,6 @@ struct Report {
 };
 
 /// Throws std::runtime_error when the file is not a trace of the task.
-Report read_report(const std::filesystem::path& trace);
+Report read_report(const std::filesystem::path& trace, const Arms& arms = kSixAxes);
 
 }  // namespace mrroc::transfer

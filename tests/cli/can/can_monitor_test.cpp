@@ -15,7 +15,7 @@
 #include "cli/processes/child.hpp"
 #include "mrroc/testing/scratch_folder.hpp"
 
-namespace mrroc::cli {
+namespace mrroc::cli::can_monitor_test {
 namespace {
 
 using namespace canopen;
@@ -202,4 +202,4 @@ TEST_F(CanMonitor, TheProgramRefusesATableWithoutARobot) {
 }
 
 }  // namespace
-}  // namespace mrroc::cli
+}  // namespace mrroc::cli::can_monitor_test

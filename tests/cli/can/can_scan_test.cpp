@@ -8,7 +8,7 @@
 #include "cli/processes/child.hpp"
 #include "mrroc/testing/scratch_folder.hpp"
 
-namespace mrroc::cli {
+namespace mrroc::cli::can_scan_test {
 namespace {
 
 using namespace canopen;
@@ -112,4 +112,4 @@ TEST_F(CanScan, TheProgramRefusesABadInterface) {
 }
 
 }  // namespace
-}  // namespace mrroc::cli
+}  // namespace mrroc::cli::can_scan_test

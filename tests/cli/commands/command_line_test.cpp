@@ -4,7 +4,7 @@
 
 #include "command/version.hpp"
 
-namespace mrroc::cli {
+namespace mrroc::cli::command_line_test {
 namespace {
 
 /// Every verb of a command, and those of its verbs.
@@ -35,4 +35,4 @@ TEST(CommandLine, TheVersionIsTheProjects) {
 }
 
 }  // namespace
-}  // namespace mrroc::cli
+}  // namespace mrroc::cli::command_line_test

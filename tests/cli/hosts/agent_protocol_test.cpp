@@ -6,7 +6,7 @@
 #include "cli/hosts/remote_host.hpp"
 #include "mrroc/testing/scratch_folder.hpp"
 
-namespace mrroc::cli {
+namespace mrroc::cli::agent_protocol_test {
 namespace {
 
 AgentOrder some_order() {
@@ -65,6 +65,19 @@ TEST(FilesOfARun, IncludeTheParametersThatTheDeploymentNames) {
   EXPECT_NE(files_of(deployment)[1], before[1]);
 }
 
+TEST(FilesOfARun, IncludeTheCalibrationsThatTheDeploymentNames) {
+  const task_test::ScratchFolder folder;
+  config::Deployment deployment;
+  deployment.file = folder.write("cell.toml", "");
+  deployment.calibrations = {folder.write("wrist.toml", "mass = 1\n"), folder.write("eye.toml", "")};
+  const auto before = files_of(deployment);
+  ASSERT_EQ(before.size(), 3u);
+  EXPECT_EQ(before[1].first, "deployment.calibration");
+  folder.write("wrist.toml", "mass = 2\n");
+  EXPECT_NE(files_of(deployment)[1], before[1]);
+  EXPECT_EQ(files_of(deployment)[2], before[2]);
+}
+
 TEST(WholeNumber, AcceptsOnlyAWholeText) {
   EXPECT_EQ(whole_number("-12"), -12);
   EXPECT_EQ(whole_number("9223372036854775807"), INT64_MAX);
@@ -85,4 +98,4 @@ TEST(AgentCommand, IsSshByDefault) {
 }
 
 }  // namespace
-}  // namespace mrroc::cli
+}  // namespace mrroc::cli::agent_protocol_test

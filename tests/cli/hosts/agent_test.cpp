@@ -13,7 +13,7 @@
 #include "cli/processes/child.hpp"
 #include "mrroc/testing/scratch_folder.hpp"
 
-namespace mrroc::cli {
+namespace mrroc::cli::agent_test {
 namespace {
 
 using Lines = std::vector<std::string>;
@@ -116,4 +116,4 @@ TEST(Agent, TimesOutWithoutAStart) {
 }
 
 }  // namespace
-}  // namespace mrroc::cli
+}  // namespace mrroc::cli::agent_test

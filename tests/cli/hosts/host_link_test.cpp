@@ -10,7 +10,7 @@
 
 #include "cli/processes/addresses.hpp"
 
-namespace mrroc::cli {
+namespace mrroc::cli::host_link_test {
 namespace {
 
 constexpr int kDomain = 90;
@@ -135,4 +135,4 @@ TEST(HostLink, TransmitsTheEmergencyStopOfTheRunner) {
 }
 
 }  // namespace
-}  // namespace mrroc::cli
+}  // namespace mrroc::cli::host_link_test

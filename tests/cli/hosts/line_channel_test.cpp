@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <memory>
 
-namespace mrroc::cli {
+namespace mrroc::cli::line_channel_test {
 namespace {
 
 using Lines = std::vector<std::string>;
@@ -85,4 +85,4 @@ TEST(LineChannel, DetectsTheEndOfThePeer) {
 }
 
 }  // namespace
-}  // namespace mrroc::cli
+}  // namespace mrroc::cli::line_channel_test

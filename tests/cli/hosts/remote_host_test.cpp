@@ -9,7 +9,7 @@
 #include "cli/processes/addresses.hpp"
 #include "clock/wall/monotonic.hpp"
 
-namespace mrroc::cli {
+namespace mrroc::cli::remote_host_test {
 namespace {
 
 /// The runner's end of another host, whose agent's clock jumps ahead at the start. The times are far longer than the
@@ -68,4 +68,4 @@ TEST(RemoteHost, ToleratesADriftWithinTheLimit) {
 }
 
 }  // namespace
-}  // namespace mrroc::cli
+}  // namespace mrroc::cli::remote_host_test

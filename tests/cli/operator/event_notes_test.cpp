@@ -8,7 +8,7 @@
 #include "config/entries/events.hpp"
 #include "mrroc/testing/scratch_folder.hpp"
 
-namespace mrroc::cli {
+namespace mrroc::cli::event_notes_test {
 namespace {
 
 TEST(EventNotes, NotedEventsAreReadAgain) {
@@ -65,4 +65,4 @@ TEST(EventNotes, FullDiskIsAnError) {
 }
 
 }  // namespace
-}  // namespace mrroc::cli
+}  // namespace mrroc::cli::event_notes_test

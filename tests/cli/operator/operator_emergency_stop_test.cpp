@@ -6,7 +6,7 @@
 #include "cli/operator/operator_service.hpp"
 #include "cli/operator/operator_state.hpp"
 
-namespace mrroc::cli {
+namespace mrroc::cli::operator_emergency_stop_test {
 namespace {
 
 /// A run with another host, which follows presses and resets when the test lets it.
@@ -133,4 +133,4 @@ TEST(OperatorEmergencyStop, RefusedEventOfTheDeploymentIsShownAndNotNoted) {
 }
 
 }  // namespace
-}  // namespace mrroc::cli
+}  // namespace mrroc::cli::operator_emergency_stop_test

@@ -7,7 +7,7 @@
 #include "cli/operator/operator_rig.hpp"
 #include "cli/operator/operator_state.hpp"
 
-namespace mrroc::cli {
+namespace mrroc::cli::operator_service_test {
 namespace {
 
 using links::TaskCommandKind;
@@ -266,4 +266,4 @@ TEST(OperatorService, WhileProcessesStartOnlyStopsAndReportsWork) {
 }
 
 }  // namespace
-}  // namespace mrroc::cli
+}  // namespace mrroc::cli::operator_service_test

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-namespace mrroc::cli {
+namespace mrroc::cli::verb_request_test {
 namespace {
 
 Refusal typed(const std::string& line) {
@@ -119,4 +119,4 @@ TEST(VerbReply, ReplySurvivesItsLine) {
 }
 
 }  // namespace
-}  // namespace mrroc::cli
+}  // namespace mrroc::cli::verb_request_test

@@ -11,7 +11,7 @@
 #include "cli/trace/trace_text.hpp"
 #include "mrroc/testing/scratch_folder.hpp"
 
-namespace mrroc::cli {
+namespace mrroc::cli::black_boxes_test {
 namespace {
 
 /// A run of the tasks "arm" and "mp", whose last steps are the lines of an example.
@@ -87,4 +87,4 @@ TEST_F(BlackBoxesTest, RecordNamesTheTasksOfOtherHosts) {
 }
 
 }  // namespace
-}  // namespace mrroc::cli
+}  // namespace mrroc::cli::black_boxes_test

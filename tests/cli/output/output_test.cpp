@@ -12,7 +12,7 @@
 #include "clock/wall/monotonic.hpp"
 #include "mrroc/testing/scratch_folder.hpp"
 
-namespace mrroc::cli {
+namespace mrroc::cli::output_test {
 namespace {
 
 class OutputTest : public testing::Test {
@@ -98,7 +98,7 @@ TEST_F(OutputTest, IsSilentWithoutAReader) {
 }
 
 TEST_F(OutputTest, IsSilentWhenTheDiskIsFull) {
-  const int full = open("/dev/full", O_WRONLY | O_CLOEXEC);
+  const int full = ::open("/dev/full", O_WRONLY | O_CLOEXEC);
   ASSERT_GE(full, 0);
   {
     Output output(full);
@@ -113,7 +113,7 @@ TEST_F(OutputTest, StoppedTerminalDoesNotBlock) {
   ASSERT_GE(master, 0);
   ASSERT_EQ(grantpt(master), 0);
   ASSERT_EQ(unlockpt(master), 0);
-  const int terminal = open(ptsname(master), O_RDWR | O_NOCTTY | O_CLOEXEC);
+  const int terminal = ::open(ptsname(master), O_RDWR | O_NOCTTY | O_CLOEXEC);
   ASSERT_GE(terminal, 0);
   ASSERT_EQ(tcflow(terminal, TCOOFF), 0);  // as Ctrl-S does
   {
@@ -135,7 +135,7 @@ TEST_F(OutputTest, StoppedTerminalDoesNotBlock) {
 
 TEST_F(OutputTest, AppendsToAFileBehindOtherWriters) {
   const task_test::ScratchFolder folder;
-  const int file = open((folder / "output").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+  const int file = ::open((folder / "output").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
   ASSERT_GE(file, 0);
   ASSERT_EQ(write(file, "before\n", 7), 7);
   Output output(file);
@@ -145,4 +145,4 @@ TEST_F(OutputTest, AppendsToAFileBehindOtherWriters) {
 }
 
 }  // namespace
-}  // namespace mrroc::cli
+}  // namespace mrroc::cli::output_test

@@ -11,7 +11,7 @@
 #include "mrroc/testing/scratch_folder.hpp"
 #include "text_of.hpp"
 
-namespace mrroc::cli {
+namespace mrroc::cli::trace_test {
 namespace {
 
 class Trace : public testing::Test {
@@ -147,4 +147,4 @@ TEST_F(Trace, RefusesAFileThatIsNotATraceWithItsLine) {
 }
 
 }  // namespace
-}  // namespace mrroc::cli
+}  // namespace mrroc::cli::trace_test

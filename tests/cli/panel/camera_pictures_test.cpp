@@ -14,7 +14,7 @@
 #include "sensors/camera/pictures/simulated_camera.hpp"
 #include "sim/simulation.hpp"
 
-namespace mrroc::cli {
+namespace mrroc::cli::camera_pictures_test {
 namespace {
 
 constexpr std::chrono::seconds kWait{120};  // a sanitizer makes pictures slow
@@ -117,4 +117,4 @@ TEST(CameraPicturesTest, DeploymentsWithoutCamerasHaveNone) {
 }
 
 }  // namespace
-}  // namespace mrroc::cli
+}  // namespace mrroc::cli::camera_pictures_test

@@ -7,7 +7,7 @@
 #include "cli/panel/beat.hpp"
 #include "cli/panel/outbox.hpp"
 
-namespace mrroc::cli {
+namespace mrroc::cli::panel_access_test {
 namespace {
 
 /// The token in a URL.
@@ -97,4 +97,4 @@ TEST(BeatTest, OldAndFutureNumbersAreNotRecent) {
 }
 
 }  // namespace
-}  // namespace mrroc::cli
+}  // namespace mrroc::cli::panel_access_test

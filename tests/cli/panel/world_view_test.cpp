@@ -15,7 +15,7 @@
 #include "mrroc/testing/scratch_folder.hpp"
 #include "sim/simulation.hpp"
 
-namespace mrroc::cli {
+namespace mrroc::cli::world_view_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -178,4 +178,4 @@ TEST(SceneTest, SlidingAxesAreInMetres) {
 }
 
 }  // namespace
-}  // namespace mrroc::cli
+}  // namespace mrroc::cli::world_view_test

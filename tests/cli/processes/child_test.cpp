@@ -7,7 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace mrroc::cli {
+namespace mrroc::cli::child_test {
 namespace {
 
 std::vector<std::string> run_to_end(Child& child) {
@@ -138,4 +138,4 @@ TEST(Child, IsKilledWithItsObject) {
 }
 
 }  // namespace
-}  // namespace mrroc::cli
+}  // namespace mrroc::cli::child_test

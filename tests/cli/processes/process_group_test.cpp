@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
-namespace mrroc::cli {
+namespace mrroc::cli::process_group_test {
 namespace {
 
 PlannedProcess shell(const std::string& name) {
@@ -35,4 +35,4 @@ TEST(ProcessGroup, NamesAnotherWhileTheSuspectRuns) {
 }
 
 }  // namespace
-}  // namespace mrroc::cli
+}  // namespace mrroc::cli::process_group_test

@@ -7,8 +7,10 @@
 #include <regex>
 #include <sstream>
 
+#include "cli/robot/import/demo_command.hpp"
 #include "cli/robot/type/check_type.hpp"
 #include "cli/robot/urdf_arm.hpp"
+#include "config/resources.hpp"
 #include "config/table.hpp"
 #include "mrroc/testing/scratch_folder.hpp"
 #include "robots/arm/arm_model.hpp"
@@ -16,7 +18,7 @@
 #include "robots/irb60/irb60_model.hpp"
 #include "text_of.hpp"
 
-namespace mrroc::cli {
+namespace mrroc::cli::add_robot_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -101,9 +103,22 @@ TEST_F(AddRobot, WritesACompleteType) {
   const fs::path type = add.into / "dae_collision";
   EXPECT_EQ(names_in(type), (std::vector<std::string>{"dae_collision.toml", "dae_collision.urdf", "dae_collision.xml",
                                                       "demo.toml", "demo.xml", "meshes"}));
-  EXPECT_NE(report.find("next: mrroc run " + (type / "demo.toml").string()), std::string::npos);
+  EXPECT_NE(report.find("next: " + demo_command(type) + "\n"), std::string::npos);
   EXPECT_NE(text_of(type / "dae_collision.urdf").find("filename=\"meshes/cube.stl\""), std::string::npos);
   EXPECT_NE(text_of(type / "dae_collision.toml").find("velocity_max = 2.0  # URDF line "), std::string::npos);
+}
+
+TEST_F(AddRobot, NamesTheCommandThatFindsTheType) {
+  const auto run = [](const fs::path& type) { return "mrroc run " + (type / "demo.toml").string(); };
+  const fs::path user = config::user_share() / "robots/ur5e";
+  EXPECT_EQ(demo_command(user), run(user));
+  for (const fs::path& share : config::share_directories())
+    EXPECT_EQ(demo_command(share / "robots/ur5e"), run(share / "robots/ur5e"));
+  const fs::path elsewhere = folder_.path() / "robots/ur5e";
+  const std::string command = demo_command(elsewhere);
+  EXPECT_TRUE(command.starts_with("MRROC_SHARE=" + fs::weakly_canonical(folder_.path()).string() + ":")) << command;
+  EXPECT_TRUE(command.ends_with(" " + run(elsewhere))) << command;
+  EXPECT_TRUE(demo_command(folder_.path() / "arms/ur5e").starts_with("move ")) << "no run looks for types there";
 }
 
 /// irb6 and irb60 have models that were written by hand, for coupled motors.
@@ -242,4 +257,4 @@ TEST_F(AddRobot, AgreesWithKdlAndMujoco) {
 }
 
 }  // namespace
-}  // namespace mrroc::cli
+}  // namespace mrroc::cli::add_robot_test

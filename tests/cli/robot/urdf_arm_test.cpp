@@ -10,7 +10,7 @@
 #include "config/table.hpp"
 #include "mrroc/testing/scratch_folder.hpp"
 
-namespace mrroc::cli {
+namespace mrroc::cli::urdf_arm_test {
 namespace {
 
 using edp::Urdf;
@@ -139,4 +139,4 @@ TEST(ShowArm, NamesStructureReachAndSingularities) {
 }
 
 }  // namespace
-}  // namespace mrroc::cli
+}  // namespace mrroc::cli::urdf_arm_test

@@ -4,13 +4,24 @@
 
 #include <stdexcept>
 
-namespace mrroc::cli {
+namespace mrroc::cli::domain_lock_test {
 namespace {
 
 TEST(DomainLock, TwoDeploymentsGetTwoDomains) {
   const DomainLock first(-1);
   const DomainLock second(-1);
   EXPECT_NE(first.domain(), second.domain());
+}
+
+TEST(DomainLock, TheDomainOfRos2IsAvoided) {
+  int next = -1;
+  {
+    const DomainLock free(-1);
+    next = free.domain();
+  }
+  EXPECT_NE(DomainLock(-1, next).domain(), next);
+  EXPECT_THROW(DomainLock(next, next), std::runtime_error);
+  EXPECT_EQ(DomainLock(next, next + 1).domain(), next);
 }
 
 TEST(DomainLock, ATakenDomainIsRefusedAndFreeAgainAfterwards) {
@@ -25,4 +36,4 @@ TEST(DomainLock, ATakenDomainIsRefusedAndFreeAgainAfterwards) {
 }
 
 }  // namespace
-}  // namespace mrroc::cli
+}  // namespace mrroc::cli::domain_lock_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mrroc::cli {
+namespace mrroc::cli::progress_test {
 namespace {
 
 // the first status of a process may already contain its first instruction
@@ -45,4 +45,4 @@ TEST(Progress, PrintedTextCannotControlTheTerminal) {
 }
 
 }  // namespace
-}  // namespace mrroc::cli
+}  // namespace mrroc::cli::progress_test

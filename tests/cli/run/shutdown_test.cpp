@@ -9,7 +9,7 @@
 
 #include "clock/participant.hpp"
 
-namespace mrroc::cli {
+namespace mrroc::cli::shutdown_test {
 namespace {
 
 /// A process group of one EDP that takes part in its clock, which runs, until a test makes it leave.
@@ -118,4 +118,4 @@ TEST_F(NoEnd, AfterLeavingTheClockIsReportedOnKill) {
 }
 
 }  // namespace
-}  // namespace mrroc::cli
+}  // namespace mrroc::cli::shutdown_test

@@ -6,7 +6,7 @@
 
 #include "cli/trace/trace_text.hpp"
 
-namespace mrroc::cli::trace {
+namespace mrroc::cli::trace::black_box_test {
 namespace {
 
 TEST(BlackBoxOfATrace, EveryPartOfATraceKeepsTheRules) {
@@ -30,10 +30,15 @@ TEST(BlackBoxOfATrace, EveryPartOfATraceKeepsTheRules) {
 /// The end of each process's part, of its own length: between them, lines of the other one may be missing.
 TEST(BlackBoxOfATrace, TheLastLinesOfSeveralProcessesKeepTheRules) {
   const TraceText whole = example_trace();
-  const std::size_t arm = line_count(whole, "arm"), mp = line_count(whole, "mp");
+  const std::size_t arm = line_count(whole, "arm"), mp = line_count(whole, "mp"), slide = line_count(whole, "slide");
   for (std::size_t of_arm = 0; of_arm <= arm; ++of_arm) {
     for (std::size_t of_mp = 0; of_mp <= mp; ++of_mp) {
-      std::map<std::string, std::size_t> skipped{{"arm", arm - of_arm}, {"mp", mp - of_mp}};
+      std::map<std::string, std::size_t> kept{
+          {"arm", of_arm}, {"mp", of_mp}, {"slide", of_arm % (slide + 1)}, {"station", of_mp % (slide + 1)}};
+      std::map<std::string, std::size_t> skipped{{"arm", arm - of_arm},
+                                                 {"mp", mp - of_mp},
+                                                 {"slide", slide - kept["slide"]},
+                                                 {"station", slide - kept["station"]}};
       TraceText box;
       box.clock = "lockstep black_box";
       for (const Item& item : whole.items) {
@@ -46,7 +51,7 @@ TEST(BlackBoxOfATrace, TheLastLinesOfSeveralProcessesKeepTheRules) {
           continue;
         }
         Remark remark = std::get<Remark>(item);
-        remark.lines = remark.process == "arm" ? of_arm : of_mp;
+        remark.lines = kept[remark.process];
         box.items.emplace_back(remark);
       }
       ASSERT_EQ(check_text(box.text()).text(), "") << of_arm << " of arm, " << of_mp << " of mp\n" << box.text();
@@ -100,4 +105,4 @@ TEST(BlackBoxOfATrace, ATraceOfAnotherMarkIsRefused) {
 }
 
 }  // namespace
-}  // namespace mrroc::cli::trace
+}  // namespace mrroc::cli::trace::black_box_test

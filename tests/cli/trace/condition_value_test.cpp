@@ -5,7 +5,7 @@
 #include "language/property.hpp"
 #include "mrroc/condition.hpp"
 
-namespace mrroc::cli::trace {
+namespace mrroc::cli::trace::condition_value_test {
 namespace {
 
 class Leaf : public Condition {
@@ -87,4 +87,4 @@ TEST(ConditionValue, ConditionWithItsOwnNameIsUnknown) {
 }
 
 }  // namespace
-}  // namespace mrroc::cli::trace
+}  // namespace mrroc::cli::trace::condition_value_test

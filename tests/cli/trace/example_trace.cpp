@@ -32,7 +32,7 @@ CommandEntry force() {
 class Cell {
  public:
   Cell() {
-    for (const char* name : {"arm", "belt"}) {
+    for (const char* name : {"arm", "belt", "slide"}) {
       RobotEntry& robot = robots_[name];
       robot.name = name;
       robot.desired = {0.5, -0.25};
@@ -72,6 +72,44 @@ class Cell {
     ++line_.step;
     line_.held = 0;
     read_sensors(false);
+  }
+
+  /// Equation (11): the MP ("station") and the ECP of `robot` each begin a Move with it.
+  void begin_both(const std::string& robot) {
+    now_ += 10;
+    begin(robot, "Corrected", true, {robot});
+    line_.obtained = true;
+    of_ecp_ = line_;
+    begin("station", "JointLine", true, {robot});
+  }
+
+  /// One step of both: the MP commands `wished`, the ECP makes `made` of it.
+  void step_of_both(const CommandEntry& wished, const CommandEntry& made, bool moving) {
+    std::swap(line_, of_ecp_);
+    show({});
+    line_.robots[0].command = made;
+    line_.robots[0].superior = wished;
+    write();
+    std::swap(line_, of_ecp_);
+    show({});
+    line_.robots[0].coordination = Coordination::takes_part;
+    line_.robots[0].command = wished;
+    write();
+    now_ = answer(robots_[list_[0]], made, moving);
+    of_ecp_.obtained = false;
+    ++of_ecp_.step;
+    ++line_.step;
+  }
+
+  void end_both() {
+    for (const Coordination coordination : {Coordination::none, Coordination::takes_part}) {
+      std::swap(line_, of_ecp_);
+      robots_[list_[0]].coordination = coordination;
+      end(StepEnding::generator);
+      remark(line_.process);
+    }
+    robots_[list_[0]].coordination = Coordination::none;
+    now_ += 10;
   }
 
   /// The robots held for so many macrosteps; the next line reports it.
@@ -183,7 +221,7 @@ class Cell {
   std::map<std::string, Tick> force_ends_;
   std::map<std::string, std::uint64_t> instructions_, lines_;
   std::vector<std::string> list_;
-  Line line_;
+  Line line_, of_ecp_;
   Tick now_ = 40;
 };
 
@@ -261,11 +299,18 @@ void both_robots(Cell& cell) {
   cell.remark("mp");
 }
 
+void with_its_ecp(Cell& cell) {
+  cell.begin_both("slide");
+  for (int i = 0; i < 4; ++i) cell.step_of_both(joint(0.375 + 0.01 * i, 0.0625), joint(0.5 + 0.01 * i, 0.0625), i < 3);
+  cell.end_both();
+}
+
 }  // namespace
 
 TraceText example_trace() {
   Cell cell;
   arm_alone(cell);
+  with_its_ecp(cell);
   both_robots(cell);
   return cell.trace();
 }

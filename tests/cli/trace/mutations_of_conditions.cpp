@@ -146,6 +146,9 @@ std::vector<Mutation> mutations_of_conditions() {
       of_sensor("a new value where none is due", is_not_due,
                 [](SensorEntry& sensor, Random&) { sensor.values.front() += 0.5; }),
       of_sensor("a new reading where none is due", is_not_due, [](SensorEntry& sensor, Random&) { ++sensor.tick; }),
+      of_sensor(
+          "a reading of the configuration before", [](const TraceText&, std::size_t, std::size_t) { return true; },
+          [](SensorEntry& sensor, Random& random) { sensor.configured = sensor.configuration + pick(random, 1, 3); }),
       of_sensor("another period", is_one_of_several, [](SensorEntry& sensor, Random&) { ++sensor.period; }),
       of_sensor("another mode", is_one_of_several,
                 [](SensorEntry& sensor, Random&) {

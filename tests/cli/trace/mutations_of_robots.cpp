@@ -22,7 +22,8 @@ Mutation of_robot(const char* name, RobotSuits suits, RobotChange change) {
 bool answers_in(const TraceText& trace, std::size_t i, std::size_t k) {
   const std::size_t before = line_before(trace, i);
   const Line& line = trace.line(i);
-  return before != kNoLine && line.held == 0 && !line.broken_off() && line.robots[k].error == ErrorClass::none &&
+  return before != kNoLine && line.held == 0 && line.robots[k].coordination == Coordination::none &&
+         !line.broken_off() && line.robots[k].error == ErrorClass::none &&
          trace.line(before).robots[k].command.has_value();
 }
 
@@ -149,6 +150,12 @@ std::vector<Mutation> mutations_of_robots() {
                [](Line&, RobotEntry& robot, Random& random) { robot.command->target.front() += some(random); }),
       of_robot("a relative command", increment_counts,
                [](Line&, RobotEntry& robot, Random&) { robot.command->relative = !robot.command->relative; }),
+      of_robot(
+          "another command of the MP than its ECP saw",
+          [](const TraceText& trace, std::size_t i, std::size_t k) {
+            return trace.line(i).robots[k].superior.has_value();
+          },
+          [](Line&, RobotEntry& robot, Random& random) { robot.superior->target.front() += some(random); }),
       of_robot("another N", steps_count,
                [](Line&, RobotEntry& robot, Random& random) { robot.command->motion_steps += pick(random, 1, 20); }),
       of_robot("another v", is_answered,

@@ -6,7 +6,7 @@
 #include "cli/trace/trace_text.hpp"
 #include "language/property.hpp"
 
-namespace mrroc::cli::trace {
+namespace mrroc::cli::trace::parse_line_test {
 namespace {
 
 constexpr std::size_t kLongest = 16384;
@@ -117,4 +117,4 @@ TEST(ParseLine, ReadsTheBeginningOfACutLine) {
 }
 
 }  // namespace
-}  // namespace mrroc::cli::trace
+}  // namespace mrroc::cli::trace::parse_line_test

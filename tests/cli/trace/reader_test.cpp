@@ -9,7 +9,7 @@
 #include "cli/trace/trace_text.hpp"
 #include "mrroc/testing/scratch_folder.hpp"
 
-namespace mrroc::cli::trace {
+namespace mrroc::cli::trace::reader_test {
 namespace {
 
 TEST(TraceReader, RefusesAFileThatIsNotATrace) {
@@ -99,4 +99,4 @@ TEST(TraceReader, MemoryDoesNotGrowWithTheTrace) {
 }
 
 }  // namespace
-}  // namespace mrroc::cli::trace
+}  // namespace mrroc::cli::trace::reader_test

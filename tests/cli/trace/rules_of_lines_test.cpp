@@ -1,7 +1,7 @@
 // Each rule of the lines as such at a suitable place: exactly this rule is reported, with the expected value.
 #include "cli/trace/trace_rule.hpp"
 
-namespace mrroc::cli::trace {
+namespace mrroc::cli::trace::rules_of_lines_test {
 namespace {
 
 TEST_F(TraceRule, LineOrder) {
@@ -109,4 +109,4 @@ TEST_F(TraceRule, RemarkIsLast) {
 }
 
 }  // namespace
-}  // namespace mrroc::cli::trace
+}  // namespace mrroc::cli::trace::rules_of_lines_test

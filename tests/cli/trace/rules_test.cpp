@@ -1,7 +1,7 @@
 // Each rule at a suitable place: exactly this rule is reported, with the expected value.
 #include "cli/trace/trace_rule.hpp"
 
-namespace mrroc::cli::trace {
+namespace mrroc::cli::trace::rules_test {
 namespace {
 
 TEST_F(TraceRule, EndOrCommand) {
@@ -72,6 +72,10 @@ TEST_F(TraceRule, LateCommandToARobotAtRestMayBeReplacedByAHold) {
   EXPECT_FALSE(target_is_missed(false, false));
   EXPECT_TRUE(target_is_missed(true, false));
   EXPECT_TRUE(target_is_missed(false, true));
+  // one of several in a Move of its MP has braked in step with them, and holds
+  arm(2, 1).superior = arm(2, 1).command;
+  EXPECT_FALSE(target_is_missed(true, false));
+  EXPECT_TRUE(target_is_missed(true, true));
 }
 
 TEST_F(TraceRule, RelativeJointTarget) {
@@ -154,6 +158,16 @@ TEST_F(TraceRule, SensorValues) {
   expect("sensor-values", "5 values of sensor wrist, expected 6");
 }
 
+TEST_F(TraceRule, SensorConfiguration) {
+  line("arm", 2, 2).sensors[0].configured = 1;
+  expect_only("sensor-configuration", "configuration=0 of sensor wrist, expected at least 1");
+}
+
+TEST_F(TraceRule, SensorConfigurationOfAnEarlierReading) {
+  line("arm", 2, 1).sensors[0].configuration = 2;
+  expect_only("sensor-configuration", "expected at least 2, that of the reading before");
+}
+
 TEST_F(TraceRule, CommonStart) {
   line("mp", 1, 1).robots[0].command->start_tick = 0;
   expect("common-start", "no start tick for arm");
@@ -210,4 +224,4 @@ TEST(TraceRules, HaveDistinctNamesAndAreListed) {
 }
 
 }  // namespace
-}  // namespace mrroc::cli::trace
+}  // namespace mrroc::cli::trace::rules_test

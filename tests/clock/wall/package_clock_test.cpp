@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace mrroc::clock {
+namespace mrroc::clock::package_clock_test {
 namespace {
 
 constexpr double kPackagePeriod = 0.002;
@@ -74,4 +74,4 @@ TEST(PackageClock, ATimeThatGoesBackIsARestart) {
 }
 
 }  // namespace
-}  // namespace mrroc::clock
+}  // namespace mrroc::clock::package_clock_test

@@ -5,7 +5,7 @@
 
 #include <cstdlib>
 
-namespace mrroc::clock {
+namespace mrroc::clock::peer_clock_test {
 namespace {
 
 /// One round trip to a peer whose clock is `offset` ahead, with these durations there and back.
@@ -96,4 +96,4 @@ TEST(PeerClock, DriftIsCertainBeyondBothErrorsOnly) {
 }
 
 }  // namespace
-}  // namespace mrroc::clock
+}  // namespace mrroc::clock::peer_clock_test

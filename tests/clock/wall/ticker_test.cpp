@@ -15,7 +15,7 @@
 #include "clock/wall/realtime.hpp"
 #include "privileges.hpp"
 
-namespace mrroc::clock {
+namespace mrroc::clock::ticker_test {
 namespace {
 
 constexpr std::int64_t kPeriod = 1'000'000;
@@ -145,4 +145,4 @@ TEST(Realtime, PinnedProcessesAndTheirChildrenHaveOneCpu) {
 }
 
 }  // namespace
-}  // namespace mrroc::clock
+}  // namespace mrroc::clock::ticker_test

@@ -4,7 +4,7 @@
 #include "clock/toy_network.hpp"
 #include "clock/wall/monotonic.hpp"
 
-namespace mrroc::clock {
+namespace mrroc::clock::wall_time_test {
 namespace {
 
 HostOptions with(Mode mode, double period) {
@@ -139,4 +139,4 @@ TEST(Real, EventsRunInOrderAndNotBeforeTheirTime) {
 }
 
 }  // namespace
-}  // namespace mrroc::clock
+}  // namespace mrroc::clock::wall_time_test

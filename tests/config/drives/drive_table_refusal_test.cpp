@@ -1,6 +1,6 @@
 #include "config/drives/drive_table_fixture.hpp"
 
-namespace mrroc::config {
+namespace mrroc::config::drive_table_refusal_test {
 namespace {
 
 TEST_F(DriveTableTest, ReportsAMisspeltKeyFirst) {
@@ -56,6 +56,8 @@ TEST_F(DriveTableTest, RefusesInvalidNumbers) {
             "crane_drives.toml:3: missed_max: -1 is out of range, expected an integer from 0 to 100");
   EXPECT_EQ(message(table("switch_on_time = 0\n")),
             "crane_drives.toml:3: switch_on_time: 0 is out of range, expected a number from 0.1 to 60");
+  EXPECT_EQ(message(table("sync = 0x100\n")),
+            "crane_drives.toml:3: sync: 256 is out of range, expected an integer from 128 to 255");
   EXPECT_EQ(message(table("status_every = 0\n")),
             "crane_drives.toml:3: status_every: 0 is out of range, expected an integer from 1 to 240");
   EXPECT_EQ(message(table("", "units_per_turn = -4000\n")),
@@ -222,4 +224,4 @@ TEST_F(DriveTableTest, RefusesSettingsThatTheEdpWrites) {
 }
 
 }  // namespace
-}  // namespace mrroc::config
+}  // namespace mrroc::config::drive_table_refusal_test

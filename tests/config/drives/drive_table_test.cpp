@@ -8,7 +8,7 @@
 #include "config/resources.hpp"
 #include "config/robot_parameters_file.hpp"
 
-namespace mrroc::config {
+namespace mrroc::config::drive_table_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -129,4 +129,4 @@ TEST_F(DriveTableTest, FindsTheFrameworksEdsFileInEveryShare) {
 }
 
 }  // namespace
-}  // namespace mrroc::config
+}  // namespace mrroc::config::drive_table_test

@@ -2,7 +2,7 @@
 
 #include "config/drives/drive_table_fixture.hpp"
 
-namespace mrroc::config {
+namespace mrroc::config::io_table_test {
 namespace {
 
 /// I/O nodes beside the drives 1, 2, 3 and the master 127.
@@ -100,4 +100,4 @@ TEST_F(IoTableTest, RefusesObjectsThatTheEdpWrites) {
 }
 
 }  // namespace
-}  // namespace mrroc::config
+}  // namespace mrroc::config::io_table_test

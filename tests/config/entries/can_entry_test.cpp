@@ -6,7 +6,7 @@
 #include "config/resources.hpp"
 #include "config/robot_parameters_file.hpp"
 
-namespace mrroc::config {
+namespace mrroc::config::can_entry_test {
 namespace {
 
 class CanEntryTest : public DeploymentFixture {
@@ -119,5 +119,65 @@ TEST(RobotDrives, EveryTypeHasAValidTable) {
   unsetenv("MRROC_SHARE");
 }
 
+/// An IRb-6 and a second robot on its bus, whose table of drives begins with `general`.
+class SharedBusTest : public CanEntryTest {
+ protected:
+  std::string refusal(const std::string& general, int node, const std::string& io = "") {
+    scratch_.write("cell/second.toml", "eds = '" MRROC_SOURCE_DIR "/src/canopen/cia402.eds'\nmode = 'torque'\n" +
+                                           std::string("absolute_encoders = true\n") + general +
+                                           "[[drives]]\naxis = 'belt'\nnode = " + std::to_string(node) +
+                                           "\nrated_current = 6\n");
+    if (!io.empty())
+      scratch_.write("cell/io.toml", "[[nodes]]\nnode = " + io +
+                                         "\neds = '" MRROC_SOURCE_DIR "/src/canopen/cia401.eds'\ndigital_inputs = 8\n");
+    return message_of(scratch_.path() / "cell", [&] {
+      load(
+          "interface = 'can0'\n[robots.belt]\ntype = 'conveyor'\nhardware = 'socketcan'\n"
+          "[robots.belt.can]\ninterface = 'can0'\ndrives = 'second.toml'\n" +
+          std::string(io.empty() ? "" : "io = 'io.toml'\n"));
+    });
+  }
+};
+
+TEST_F(SharedBusTest, RobotsWithTheirOwnNumbersShareABus) { EXPECT_EQ(refusal("master = 126\nsync = 0xfe\n", 7), ""); }
+
+TEST_F(SharedBusTest, RefusesANumberOfAnotherRobotWithItsLine) {
+  const std::string expected = " on the same bus, expected a unique number on the bus, in a table for robot 'belt'";
+  EXPECT_EQ(refusal("master = 126\nsync = 0xfe\n", 1),
+            "second.toml:8: drives[0].node: 1 is the drive of 'column' of robot 'arm'" + expected);
+  EXPECT_EQ(refusal("master = 126\nsync = 0xfe\n", 127),
+            "second.toml:8: drives[0].node: 127 is the master of robot 'arm'" + expected);
+  EXPECT_EQ(refusal("master = 127\nsync = 0xfe\n", 7),
+            "second.toml:4: master: 127 is the master of robot 'arm'" + expected);
+  EXPECT_EQ(refusal("master = 126\nsync = 0xfe\n", 7, "1"),
+            "io.toml:2: nodes[0].node: 1 is the drive of 'column' of robot 'arm'" + expected);
+}
+
+TEST_F(SharedBusTest, RefusesASyncOfAnotherRobotOrAnEmcy) {
+  EXPECT_EQ(refusal("sync = 128\nmaster = 126\n", 7),
+            "second.toml:4: sync: 128 is the SYNC of robot 'arm' on the same bus, expected a unique identifier on the "
+            "bus, as 128 plus the key 'master'");
+  EXPECT_EQ(
+      refusal("sync = 0x81\nmaster = 126\n", 7),
+      "second.toml:4: sync: 129 of robot 'belt' is the identifier of the EMCY of node 1 on the same bus, expected "
+      "a unique identifier on the bus, as 128 plus the key 'master'");
+  EXPECT_EQ(
+      refusal("sync = 0x87\nmaster = 126\n", 7),
+      "second.toml:8: drives[0].node: 7, whose EMCY has the identifier of the table's 'sync', expected another one");
+}
+
+TEST_F(SharedBusTest, RefusesABitRateThatTheFramesDoNotFit) {
+  const auto message = [this](const std::string& rate) {
+    return message_of(scratch_.path() / "cell", [&] { load("interface = 'can0'\nbit_rate = " + rate + "\n"); });
+  };
+  EXPECT_EQ(message("250000"), "");
+  EXPECT_EQ(message("125000"),
+            "d.toml:11: robots.arm.can.bit_rate: 125000 is too slow: at a servo period of 0.002 s the frames of 1 axis "
+            "take up to 225000 bit/s, expected 250000, or fewer axes on the bus or a longer servo_period");
+  EXPECT_EQ(message("100000"),
+            "d.toml:11: robots.arm.can.bit_rate: 100000 is not a bit rate of CiA 301, expected 10000, 20000, 50000, "
+            "125000, 250000, 500000, 800000 or 1000000");
+}
+
 }  // namespace
-}  // namespace mrroc::config
+}  // namespace mrroc::config::can_entry_test

@@ -6,7 +6,7 @@
 #include "config/message_of.hpp"
 #include "mrroc/testing/scratch_folder.hpp"
 
-namespace mrroc::config {
+namespace mrroc::config::named_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -43,4 +43,4 @@ TEST_F(NamedFile, NamesEverySearchedFolderForAMissingProgram) {
 }
 
 }  // namespace
-}  // namespace mrroc::config
+}  // namespace mrroc::config::named_file_test

@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-namespace mrroc::config {
+namespace mrroc::config::program_behaviours_test {
 namespace {
 
 bool refused(const std::string& text) {
@@ -37,4 +37,4 @@ TEST(ProgramBehaviours, FieldsLargerThanAMessageAreRefused) {
 }
 
 }  // namespace
-}  // namespace mrroc::config
+}  // namespace mrroc::config::program_behaviours_test

@@ -6,7 +6,7 @@
 #include "config/message_of.hpp"
 #include "mrroc/testing/scratch_folder.hpp"
 
-namespace mrroc::config {
+namespace mrroc::config::sensor_type_test {
 namespace {
 
 class SensorTypeTest : public testing::Test {
@@ -131,4 +131,4 @@ TEST_F(SensorTypeTest, ChannelsAreDeclared) {
 }
 
 }  // namespace
-}  // namespace mrroc::config
+}  // namespace mrroc::config::sensor_type_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mrroc::config {
+namespace mrroc::config::message_text_test {
 namespace {
 
 TEST(MessageText, NumbersAreShortest) {
@@ -28,4 +28,4 @@ TEST(MessageText, AlternativesReadAsASentence) {
 }
 
 }  // namespace
-}  // namespace mrroc::config
+}  // namespace mrroc::config::message_text_test

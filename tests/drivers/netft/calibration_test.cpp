@@ -7,7 +7,7 @@
 
 #include "config/message_of.hpp"
 
-namespace mrroc::netft {
+namespace mrroc::netft::calibration_test {
 namespace {
 
 constexpr const char* kAddress = "http://192.168.1.1:80/netftapi2.xml";
@@ -105,4 +105,4 @@ TEST(NetftCalibration, TruncatedPageIsRefused) {
 }
 
 }  // namespace
-}  // namespace mrroc::netft
+}  // namespace mrroc::netft::calibration_test

@@ -13,7 +13,7 @@
 #include "drivers/netft/socket.hpp"
 #include "mrroc/errors.hpp"
 
-namespace mrroc::netft {
+namespace mrroc::netft::http_get_test {
 namespace {
 
 /// A server on loopback that gives every client the same bytes and, unless it is `stubborn`, closes the connection.
@@ -128,4 +128,4 @@ TEST(HttpGet, RefusesAnswersOfAnotherForm) {
 }
 
 }  // namespace
-}  // namespace mrroc::netft
+}  // namespace mrroc::netft::http_get_test

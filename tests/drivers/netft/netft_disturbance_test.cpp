@@ -12,7 +12,7 @@
 #include "drivers/netft/netft_source.hpp"
 #include "mrroc/errors.hpp"
 
-namespace mrroc::netft {
+namespace mrroc::netft::netft_disturbance_test {
 namespace {
 
 using vsp::SourceState;
@@ -143,4 +143,4 @@ TEST(RdtClient, OvertakenRecordIsNeverTheNewest) {
 }
 
 }  // namespace
-}  // namespace mrroc::netft
+}  // namespace mrroc::netft::netft_disturbance_test

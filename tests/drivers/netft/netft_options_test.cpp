@@ -8,7 +8,7 @@
 #include "drivers/netft/netft_rig.hpp"
 #include "mrroc/errors.hpp"
 
-namespace mrroc::netft {
+namespace mrroc::netft::netft_options_test {
 namespace {
 
 /// A table [sensors.wrist.netft] with the defaults of netft.toml.
@@ -158,4 +158,4 @@ TEST_F(OpenNetft, SensorOfARobotIsPolled) {
 }
 
 }  // namespace
-}  // namespace mrroc::netft
+}  // namespace mrroc::netft::netft_options_test

@@ -17,7 +17,7 @@
 #include "sensors/entry.hpp"
 #include "sensors/force_torque/force_torque_sensor.hpp"
 
-namespace mrroc::netft {
+namespace mrroc::netft::netft_source_test {
 namespace {
 
 using vsp::SourceState;
@@ -248,4 +248,4 @@ TEST(RdtClient, ReceiverAllocatesNothing) {
 }
 
 }  // namespace
-}  // namespace mrroc::netft
+}  // namespace mrroc::netft::netft_source_test

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace mrroc::netft {
+namespace mrroc::netft::rdt_test {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -111,4 +111,4 @@ TEST(RdtStatus, OnlyAMonitorConditionLeavesTheCountsValid) {
 }
 
 }  // namespace
-}  // namespace mrroc::netft
+}  // namespace mrroc::netft::rdt_test

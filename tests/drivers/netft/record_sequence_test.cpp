@@ -7,7 +7,7 @@
 #include <map>
 #include <vector>
 
-namespace mrroc::netft {
+namespace mrroc::netft::record_sequence_test {
 namespace {
 
 std::vector<Place> places(RecordSequence& sequence, const std::vector<std::uint32_t>& numbers) {
@@ -123,4 +123,4 @@ TEST(RecordSequence, AgreesWithAModelThatRemembersEverything) {
 }
 
 }  // namespace
-}  // namespace mrroc::netft
+}  // namespace mrroc::netft::record_sequence_test

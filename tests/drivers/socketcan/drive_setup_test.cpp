@@ -50,6 +50,13 @@ TEST(DriveSetup, ModeDeterminesTheTransmittedObjects) {
   EXPECT_EQ(last(settings(DriveMode::cyclic_torque), kMode), 10);
 }
 
+TEST(DriveSetup, SyncOfASharedBusIsWritten) {
+  config::DriveTable table = table_for(Slide{}.parameters(), DriveMode::cyclic_position);
+  EXPECT_EQ(last(drive_settings(table, table.drives[0], kCanPeriod), kSyncIdentifier), -1) << "the usual one is not";
+  table.sync = 0xfe;
+  EXPECT_EQ(last(drive_settings(table, table.drives[0], kCanPeriod), kSyncIdentifier), 0xfe);
+}
+
 TEST(DriveSetup, ServoPeriodIsWrittenAsInTheProfile) {
   EXPECT_EQ(last(settings(DriveMode::cyclic_position, 0.002), kInterpolationTime), 2);
   EXPECT_EQ(last(settings(DriveMode::cyclic_position, 0.002), kInterpolationExponent), -3);

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace mrroc::ur {
+namespace mrroc::ur::control_script_test {
 namespace {
 
 using testing::HasSubstr;
@@ -97,4 +97,4 @@ TEST(UrOptions, RejectsInvalidValues) {
 }
 
 }  // namespace
-}  // namespace mrroc::ur
+}  // namespace mrroc::ur::control_script_test

@@ -5,7 +5,7 @@
 
 #include "drivers/ur/ur_rig.hpp"
 
-namespace mrroc::ur {
+namespace mrroc::ur::dashboard_client_test {
 namespace {
 
 DashboardClient connect_to(Controller& controller) {
@@ -67,4 +67,4 @@ TEST(DashboardClient, ErrorsNameTheServer) {
 }
 
 }  // namespace
-}  // namespace mrroc::ur
+}  // namespace mrroc::ur::dashboard_client_test

@@ -7,7 +7,7 @@
 
 #include "config/table.hpp"
 
-namespace mrroc::ur {
+namespace mrroc::ur::driver_keys_test {
 namespace {
 
 TEST(DriverKeys, DefaultsAreThoseOfTheOptions) {
@@ -75,4 +75,4 @@ TEST(DriverKeys, EveryDeclaredKeyIsRead) {
 }
 
 }  // namespace
-}  // namespace mrroc::ur
+}  // namespace mrroc::ur::driver_keys_test

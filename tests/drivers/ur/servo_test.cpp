@@ -6,7 +6,7 @@
 #include "drivers/ur/ur_rig.hpp"
 #include "edp/command/effector.hpp"
 
-namespace mrroc::ur {
+namespace mrroc::ur::servo_test {
 namespace {
 
 class ServoRig {
@@ -171,4 +171,4 @@ TEST_P(UrServo, AnInputOfTheControllerPressesTheEmergencyStop) {
 INSTANTIATE_TEST_SUITE_P(UrHardware, UrServo, testing::Values(Interface::position, Interface::velocity));
 
 }  // namespace
-}  // namespace mrroc::ur
+}  // namespace mrroc::ur::servo_test

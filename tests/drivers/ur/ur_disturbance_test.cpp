@@ -5,7 +5,7 @@
 #include "drivers/ur/ur_hardware.hpp"
 #include "drivers/ur/ur_rig.hpp"
 
-namespace mrroc::ur {
+namespace mrroc::ur::ur_disturbance_test {
 namespace {
 
 using testing::HasSubstr;
@@ -167,4 +167,4 @@ TEST(UrHardware, TheTimeOfARepeatedReadingIsRepeated) {
 }
 
 }  // namespace
-}  // namespace mrroc::ur
+}  // namespace mrroc::ur::ur_disturbance_test

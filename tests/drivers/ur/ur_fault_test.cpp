@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace mrroc::ur {
+namespace mrroc::ur::ur_fault_test {
 namespace {
 
 using testing::HasSubstr;
@@ -90,4 +90,4 @@ TEST(UrFault, EveryFaultHasACodeAndAText) {
 }
 
 }  // namespace
-}  // namespace mrroc::ur
+}  // namespace mrroc::ur::ur_fault_test

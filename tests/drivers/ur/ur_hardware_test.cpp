@@ -6,7 +6,7 @@
 #include "allocations.hpp"
 #include "drivers/ur/ur_rig.hpp"
 
-namespace mrroc::ur {
+namespace mrroc::ur::ur_hardware_test {
 namespace {
 
 using testing::HasSubstr;
@@ -147,6 +147,13 @@ TEST(UrHardware, ACb3SendsAt125Hz) {
   EXPECT_NEAR((rig.hardware->state().timestamp - begin) / 0.008, 20, 2.1);
 }
 
+TEST(UrHardware, RarePackagesDoNotShortenTheWatchdog) {
+  Rig rig(Interface::position, free_ports(), [](UrOptions& options) { options.frequency = 20; });
+  ASSERT_TRUE(rig.start());
+  rig.ticks(5);
+  EXPECT_TRUE(rig.healthy());
+}
+
 TEST(UrHardware, OpenNamesTheAddressAndTheProblem) {
   const SixJoints model(Interface::position);
   UrOptions options;
@@ -249,4 +256,4 @@ TEST(UrHardware, ATickAllocatesNothing) {
 }
 
 }  // namespace
-}  // namespace mrroc::ur
+}  // namespace mrroc::ur::ur_hardware_test

@@ -9,7 +9,7 @@
 #include "config/robot_parameters_file.hpp"
 #include "mrroc/testing/scratch_folder.hpp"
 
-namespace mrroc::edp {
+namespace mrroc::edp::model_check_test {
 namespace {
 
 /// motor = gear sin(joint): its dead centres are at plus and minus a right angle. `Fault` makes it another
@@ -138,4 +138,4 @@ TEST(ModelCheck, ChecksEveryModel) {
 }
 
 }  // namespace
-}  // namespace mrroc::edp
+}  // namespace mrroc::edp::model_check_test

@@ -14,7 +14,7 @@
 #include "mrroc/testing/scratch_folder.hpp"
 
 // Each number of every robot's parameter file is made invalid: the checks of an EDP's start refuse it by name.
-namespace mrroc::edp {
+namespace mrroc::edp::robot_files_test {
 namespace {
 
 using Lines = std::vector<std::string>;
@@ -222,4 +222,4 @@ TEST(EveryRobot, IsTestedHere) {
 }
 
 }  // namespace
-}  // namespace mrroc::edp
+}  // namespace mrroc::edp::robot_files_test

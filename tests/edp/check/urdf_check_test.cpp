@@ -9,7 +9,7 @@
 #include "mrroc/testing/scratch_folder.hpp"
 #include "robots/common/changed_file.hpp"
 
-namespace mrroc::edp {
+namespace mrroc::edp::urdf_check_test {
 namespace {
 
 /// The errors in the URDF of a robot when the first `from` in it is replaced by `to`.
@@ -107,4 +107,4 @@ TEST(UrdfCheck, RefusesAUrdfWithNothingToCompare) {
 }
 
 }  // namespace
-}  // namespace mrroc::edp
+}  // namespace mrroc::edp::urdf_check_test

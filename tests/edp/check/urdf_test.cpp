@@ -9,7 +9,7 @@
 #include "config/message_of.hpp"
 #include "mrroc/testing/scratch_folder.hpp"
 
-namespace mrroc::edp {
+namespace mrroc::edp::urdf_test {
 namespace {
 
 using std::numbers::pi;
@@ -224,4 +224,4 @@ TEST(Urdf, RefusesFilesThatAreNotUrdf) {
 }
 
 }  // namespace
-}  // namespace mrroc::edp
+}  // namespace mrroc::edp::urdf_test

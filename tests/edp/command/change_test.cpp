@@ -5,7 +5,7 @@
 
 #include "edp/rig.hpp"
 
-namespace mrroc::edp {
+namespace mrroc::edp::change_test {
 namespace {
 
 /// A planar arm with longer links and gears with another zero.
@@ -298,4 +298,4 @@ TEST(Change, RefusesAnUnknownRegulatorSetAndAnyInMotion) {
 }
 
 }  // namespace
-}  // namespace mrroc::edp
+}  // namespace mrroc::edp::change_test

@@ -8,7 +8,7 @@
 #include "edp/command/cruise.hpp"
 #include "edp/command/effector.hpp"
 
-namespace mrroc::edp {
+namespace mrroc::edp::effector_start_test {
 namespace {
 
 /// The servo's thread ticks while the other one plans.
@@ -135,4 +135,4 @@ TEST(Effector, HoldComesToRestAndStays) {
 }
 
 }  // namespace
-}  // namespace mrroc::edp
+}  // namespace mrroc::edp::effector_start_test

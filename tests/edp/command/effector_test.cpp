@@ -8,7 +8,7 @@
 
 #include "edp/command/cruise.hpp"
 
-namespace mrroc::edp {
+namespace mrroc::edp::effector_test {
 namespace {
 
 TEST(Effector, AnswersAQueryAtOnceWithoutAChange) {
@@ -240,4 +240,4 @@ TEST(Effector, MacrostepOfAnOldEpochIsRefusedAndPlannedAgain) {
 }
 
 }  // namespace
-}  // namespace mrroc::edp
+}  // namespace mrroc::edp::effector_test

@@ -5,7 +5,7 @@
 
 #include "edp/rig.hpp"
 
-namespace mrroc::edp {
+namespace mrroc::edp::interpolation_test {
 namespace {
 
 constexpr std::uint16_t kSteps = 400;
@@ -106,4 +106,4 @@ TEST(InEverySpace, RelativeAndAbsoluteFollowTheSamePath) {
 }
 
 }  // namespace
-}  // namespace mrroc::edp
+}  // namespace mrroc::edp::interpolation_test

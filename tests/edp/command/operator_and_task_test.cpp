@@ -9,7 +9,7 @@
 
 #include "edp/command/operated.hpp"
 
-namespace mrroc::edp {
+namespace mrroc::edp::operator_and_task_test {
 namespace {
 
 /// The task of a pause: holds, one after the other.
@@ -199,4 +199,4 @@ TEST(OperatorMotion, RandomOrdersKeepTheLimits) {
 }
 
 }  // namespace
-}  // namespace mrroc::edp
+}  // namespace mrroc::edp::operator_and_task_test

@@ -8,7 +8,7 @@
 #include "edp/command/operated.hpp"
 #include "geometry/rigid_motion.hpp"
 
-namespace mrroc::edp {
+namespace mrroc::edp::operator_motion_test {
 namespace {
 
 /// Ticks from 0.5 m/s to rest under the limits of the axes.
@@ -193,4 +193,4 @@ TEST(OperatorMotion, WhatWaitsForRestIsEndedByHoldByATaskAndRefusedBeyondALimit)
 }
 
 }  // namespace
-}  // namespace mrroc::edp
+}  // namespace mrroc::edp::operator_motion_test

@@ -7,7 +7,7 @@
 #include "edp/test_robots.hpp"
 #include "language/macrostep/macrostep_path.hpp"
 
-namespace mrroc::edp {
+namespace mrroc::edp::path_test {
 namespace {
 
 constexpr double kServoPeriod = 0.002;
@@ -148,4 +148,4 @@ TEST(MacrostepPath, EndsAtTheInverseKinematics) {
 }
 
 }  // namespace
-}  // namespace mrroc::edp
+}  // namespace mrroc::edp::path_test

@@ -8,7 +8,7 @@
 #include "edp/random_values.hpp"
 #include "edp/rig.hpp"
 
-namespace mrroc::edp {
+namespace mrroc::edp::planner_test {
 namespace {
 
 template <class Model>
@@ -265,4 +265,4 @@ TEST(Planner, MotionIsStretchedUntilTheLimitsHold) {
 }
 
 }  // namespace
-}  // namespace mrroc::edp
+}  // namespace mrroc::edp::planner_test

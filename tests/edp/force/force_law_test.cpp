@@ -7,7 +7,7 @@
 
 #include "edp/random_values.hpp"
 
-namespace mrroc::edp {
+namespace mrroc::edp::force_law_test {
 namespace {
 
 Twist any_six(double magnitude) {
@@ -132,4 +132,4 @@ TEST(ForceLaw, RefusesInvalidLawsWithTheirAxis) {
 }
 
 }  // namespace
-}  // namespace mrroc::edp
+}  // namespace mrroc::edp::force_law_test

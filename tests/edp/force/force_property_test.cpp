@@ -10,7 +10,7 @@
 #include "force_rig.hpp"
 #include "repetitions.hpp"
 
-namespace mrroc::edp {
+namespace mrroc::edp::force_property_test {
 namespace {
 
 constexpr double kRounding = 1e-6;
@@ -139,4 +139,4 @@ TEST(ForceProperty, EveryTickKeepsTheLimitsUnderAnyForce) {
 }
 
 }  // namespace
-}  // namespace mrroc::edp
+}  // namespace mrroc::edp::force_property_test

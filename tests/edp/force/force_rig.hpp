@@ -18,11 +18,13 @@ class WallSensor : public ForceSensor {
     return reading;
   }
   void bias() noexcept override { zero_ = last_; }
+  void carry(const Load& load) noexcept override { carried = load; }
 
   double wall = 0.1;        // m
   double stiffness = 1000;  // N/m
   ErrorCode error = ErrorCode::none;
   Wrench extra = Wrench::Zero();
+  Load carried;
 
  private:
   Pose mount_ = Pose::Identity();

@@ -10,7 +10,7 @@
 #include "geometry/joint_motion.hpp"
 #include "singular_postures.hpp"
 
-namespace mrroc::edp {
+namespace mrroc::edp::force_singularity_test {
 namespace {
 
 constexpr double kHalf = 0.5;
@@ -177,4 +177,4 @@ TEST(ForceSingularity, InterruptedRobotStaysUsable) {
 }
 
 }  // namespace
-}  // namespace mrroc::edp
+}  // namespace mrroc::edp::force_singularity_test

@@ -3,7 +3,7 @@
 
 #include "force_rig.hpp"
 
-namespace mrroc::edp {
+namespace mrroc::edp::force_test {
 namespace {
 
 using GantryBeforeWall = ForceRig<Gantry>;
@@ -231,5 +231,37 @@ TEST(ForceLimit, BiasRemovesThePresentWrench) {
   EXPECT_EQ(blind.answer.state.error.code, ErrorCode::invalid_argument);
 }
 
+TEST(ForceLimit, LearnsTheLoadInTheSensorFrame) {
+  GantryBeforeWall rig;
+  RobotCommand tool;
+  tool.kind = CommandKind::set_tool;
+  tool.pose = Pose(Eigen::Translation3d(0, 0, 0.2));
+  ASSERT_TRUE(well(rig.exchange(tool)));
+  RobotCommand carry;
+  carry.kind = CommandKind::carry;
+  carry.load = {1.5, {0.01, 0.02, 0.05}};
+  ASSERT_TRUE(well(rig.exchange(carry)));
+  EXPECT_EQ(rig.sensor.carried.mass, 1.5);
+  EXPECT_TRUE(rig.sensor.carried.centre.isApprox(Eigen::Vector3d(0.01, 0.02, 0.25))) << "given in the tool frame";
+}
+
+TEST(ForceLimit, ImpossibleLoadsAreRefused) {
+  GantryBeforeWall rig;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const Load& load : {Load{-1, Eigen::Vector3d::Zero()}, Load{nan, Eigen::Vector3d::Zero()},
+                           Load{2000, Eigen::Vector3d::Zero()}, Load{1, {0, 0, 11}}, Load{1, {nan, 0, 0}}}) {
+    RobotCommand carry;
+    carry.kind = CommandKind::carry;
+    carry.load = load;
+    EXPECT_EQ(rig.exchange(carry).error.code, ErrorCode::invalid_argument) << load.mass;
+    EXPECT_EQ(rig.sensor.carried.mass, 0);
+  }
+  RobotCommand carry;
+  carry.kind = CommandKind::carry;
+  Rig<Gantry> blind;
+  ASSERT_TRUE(blind.send(carry));
+  EXPECT_EQ(blind.answer.state.error.code, ErrorCode::invalid_argument);
+}
+
 }  // namespace
-}  // namespace mrroc::edp
+}  // namespace mrroc::edp::force_test

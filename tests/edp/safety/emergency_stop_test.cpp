@@ -3,7 +3,7 @@
 #include "edp/servo/emergency_latch.hpp"
 #include "safe_rig.hpp"
 
-namespace mrroc::edp {
+namespace mrroc::edp::emergency_stop_test {
 namespace {
 
 TEST(EmergencyStop, IsLatchedUntilItsResetWhichMovesNothing) {
@@ -89,4 +89,4 @@ TEST(EmergencyLatch, RegistersEveryPressAndIgnoresEarlyResets) {
 }
 
 }  // namespace
-}  // namespace mrroc::edp
+}  // namespace mrroc::edp::emergency_stop_test

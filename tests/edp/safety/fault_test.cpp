@@ -7,7 +7,7 @@
 #include "edp/safety/error_report.hpp"
 #include "edp/test_robots.hpp"
 
-namespace mrroc::edp {
+namespace mrroc::edp::fault_test {
 namespace {
 
 std::string report(const Fault& fault) { return std::string(make_report(fault, Slide{}.parameters()).detail.view()); }
@@ -40,4 +40,4 @@ TEST(Fault, LongTextIsCut) {
 }
 
 }  // namespace
-}  // namespace mrroc::edp
+}  // namespace mrroc::edp::fault_test

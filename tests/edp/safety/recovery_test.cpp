@@ -9,7 +9,7 @@
 #include "edp/plants.hpp"
 #include "robots/irb6/irb6_model.hpp"
 
-namespace mrroc::edp {
+namespace mrroc::edp::recovery_test {
 namespace {
 
 enum class Driver { loopback, mujoco };
@@ -192,4 +192,4 @@ INSTANTIATE_TEST_SUITE_P(EveryDriver, Recovery,
                          });
 
 }  // namespace
-}  // namespace mrroc::edp
+}  // namespace mrroc::edp::recovery_test

@@ -15,7 +15,7 @@
 #include "edp/safety/stop_category.hpp"
 #include "repetitions.hpp"
 
-namespace mrroc::edp {
+namespace mrroc::edp::safety_property_test {
 namespace {
 
 constexpr int kStopInput = 5;
@@ -180,6 +180,7 @@ class Driver {
     if (on) RC_ASSERT(!latched_ || !seen.enabled());
     if (seen.fault.code != ErrorCode::none && fault_ == ErrorCode::none) {
       ++totals_.faults[seen.fault.code];
+      if (on && is_hindered(seen.fault.code)) stand_where_it_is(seen);
       Stop stop(rig_.model.parameters(), kPeriod);
       stop.plan(previous_);
       off_by_ = seen.tick + stop.ticks();
@@ -187,6 +188,16 @@ class Driver {
     }
     if (seen.fault.code != ErrorCode::none) RC_ASSERT(!on || seen.tick < off_by_);
     if (on && seen.fault.code != ErrorCode::none) ++totals_.stopping_ticks;
+  }
+
+  /// A robot that does not follow its set-point stops from where it is: as if it had been a tick before it.
+  void stand_where_it_is(const Snapshot& seen) {
+    previous_ = DesiredState::resting_at(seen.joints);
+    for (Eigen::Index i = 0; i < 4; ++i) {
+      const double most = rig_.model.parameters().axes[static_cast<std::size_t>(i)].velocity_max;
+      previous_.velocity[i] = std::clamp(seen.joint_velocity[i], -most, most);
+    }
+    previous_.position -= kPeriod * previous_.velocity;
   }
 
   /// The commands to the drives are within the limits, and continuous with the previous ones.
@@ -275,4 +286,4 @@ TEST(Safety, RandomFaultsKeepTheLimitsCauseNoMotionAndEveryCommandHasOneAnswer) 
 }
 
 }  // namespace
-}  // namespace mrroc::edp
+}  // namespace mrroc::edp::safety_property_test

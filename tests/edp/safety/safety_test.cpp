@@ -10,7 +10,7 @@
 #include "edp/safety/stop_category.hpp"
 #include "safe_rig.hpp"
 
-namespace mrroc::edp {
+namespace mrroc::edp::safety_test {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -208,4 +208,4 @@ TEST(LimitSwitch, AxisAtTheEdgeIsNotStoppedAgain) {
 }
 
 }  // namespace
-}  // namespace mrroc::edp
+}  // namespace mrroc::edp::safety_test

@@ -12,7 +12,7 @@
 #include "edp/servo/servo.hpp"
 #include "repetitions.hpp"
 
-namespace mrroc::edp {
+namespace mrroc::edp::stuck_test {
 namespace {
 
 constexpr double kTime = 0.002;
@@ -289,4 +289,4 @@ INSTANTIATE_TEST_SUITE_P(Robots, Held, testing::ValuesIn(every_robot()),
                          [](const auto& test) { return test.param.stem; });
 
 }  // namespace
-}  // namespace mrroc::edp
+}  // namespace mrroc::edp::stuck_test

@@ -7,7 +7,7 @@
 
 #include "edp/rig.hpp"
 
-namespace mrroc::edp {
+namespace mrroc::edp::encoder_test {
 namespace {
 
 /// Recovers; returns the code of the answer.
@@ -190,4 +190,4 @@ TEST(Encoder, SilentDrivesAreNeverSwitchedOn) {
   EXPECT_FALSE(hardware.powered);
 }
 }  // namespace
-}  // namespace mrroc::edp
+}  // namespace mrroc::edp::encoder_test

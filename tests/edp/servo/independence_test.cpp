@@ -6,7 +6,7 @@
 
 #include "edp/force/force_rig.hpp"
 
-namespace mrroc::edp {
+namespace mrroc::edp::independence_test {
 namespace {
 
 using Robot = ForceRig<Gantry>;
@@ -80,4 +80,4 @@ TEST(Independence, AMotionDoesNotFeelTheOneBefore) {
 }
 
 }  // namespace
-}  // namespace mrroc::edp
+}  // namespace mrroc::edp::independence_test

@@ -6,7 +6,7 @@
 
 #include "edp/force/force_rig.hpp"
 
-namespace mrroc::edp {
+namespace mrroc::edp::no_output_test {
 namespace {
 
 using Robot = ForceRig<Gantry>;
@@ -51,4 +51,4 @@ TEST(NoOutput, EveryErrorOfTheServoIsInAReplyAndNoneIsPrinted) {
 }
 
 }  // namespace
-}  // namespace mrroc::edp
+}  // namespace mrroc::edp::no_output_test

@@ -6,7 +6,7 @@
 
 #include "edp/test_robots.hpp"
 
-namespace mrroc::edp {
+namespace mrroc::edp::regulator_test {
 namespace {
 
 constexpr double kCounts = 4000 / (2 * std::numbers::pi);
@@ -80,4 +80,4 @@ TEST(Regulator, NewParametersDoNotChangeTheCurrentAbruptly) {
 }
 
 }  // namespace
-}  // namespace mrroc::edp
+}  // namespace mrroc::edp::regulator_test

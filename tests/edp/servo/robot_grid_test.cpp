@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-namespace mrroc::edp {
+namespace mrroc::edp::robot_grid_test {
 namespace {
 
 constexpr double kGridPeriod = 0.002;
@@ -78,4 +78,4 @@ TEST(RobotGrid, AControllerThatRestartsHasAnotherClock) {
 }
 
 }  // namespace
-}  // namespace mrroc::edp
+}  // namespace mrroc::edp::robot_grid_test

@@ -9,7 +9,7 @@
 #include "clock/wall/monotonic.hpp"
 #include "clock/wall/wait.hpp"
 
-namespace mrroc::edp {
+namespace mrroc::edp::robot_ticker_test {
 namespace {
 
 constexpr double kTickerPeriod = 0.001;
@@ -120,4 +120,4 @@ TEST(RobotTicker, ADoubledPackageIsTickedOnce) {
 }
 
 }  // namespace
-}  // namespace mrroc::edp
+}  // namespace mrroc::edp::robot_ticker_test

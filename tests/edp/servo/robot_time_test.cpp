@@ -5,7 +5,7 @@
 
 #include "edp/rig.hpp"
 
-namespace mrroc::edp {
+namespace mrroc::edp::robot_time_test {
 namespace {
 
 /// A robot that is at its last set-point.
@@ -142,4 +142,4 @@ TEST_P(RobotTime, AFaultInMotionStopsWithinLimitsAtEveryTick) {
 INSTANTIATE_TEST_SUITE_P(Rates, RobotTime, testing::Values(1.0, 0.9995, 1.0005, 0.99, 1.01, 2.0));
 
 }  // namespace
-}  // namespace mrroc::edp
+}  // namespace mrroc::edp::robot_time_test

@@ -8,7 +8,7 @@
 #include "edp/edges.hpp"
 #include "edp/rig.hpp"
 
-namespace mrroc::edp {
+namespace mrroc::edp::servo_state_test {
 namespace {
 
 using S = ServoState;
@@ -125,4 +125,4 @@ TEST(ServoState, TakesEveryEdgeOfItsTableAndNoOther) {
 }
 
 }  // namespace
-}  // namespace mrroc::edp
+}  // namespace mrroc::edp::servo_state_test

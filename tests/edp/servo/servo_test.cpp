@@ -6,7 +6,7 @@
 
 #include "edp/rig.hpp"
 
-namespace mrroc::edp {
+namespace mrroc::edp::servo_test {
 namespace {
 
 TEST(Servo, StartsStoppedWithTheDrivesOff) {
@@ -151,4 +151,4 @@ TEST(Servo, SetPointBeyondALimitStopsTheRobot) {
 }
 
 }  // namespace
-}  // namespace mrroc::edp
+}  // namespace mrroc::edp::servo_test

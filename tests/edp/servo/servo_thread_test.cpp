@@ -7,7 +7,7 @@
 #include "clock/wall/monotonic.hpp"
 #include "edp/rig.hpp"
 
-namespace mrroc::edp {
+namespace mrroc::edp::servo_thread_test {
 namespace {
 
 /// A grid that starts now, and a count of the wake-ups.
@@ -119,4 +119,4 @@ TEST(ServoThread, WaitingDrivesGetEveryTickOthersThePresentOne) {
 }
 
 }  // namespace
-}  // namespace mrroc::edp
+}  // namespace mrroc::edp::servo_thread_test

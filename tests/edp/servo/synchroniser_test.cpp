@@ -11,7 +11,7 @@
 #include "edp/random_values.hpp"
 #include "edp/rig.hpp"
 
-namespace mrroc::edp {
+namespace mrroc::edp::synchroniser_test {
 namespace {
 
 constexpr double kIncrement = 2 * std::numbers::pi / 4000;
@@ -267,4 +267,4 @@ TEST(Synchronisation, IsRefusedTwiceAndWithoutSwitches) {
 }
 
 }  // namespace
-}  // namespace mrroc::edp
+}  // namespace mrroc::edp::synchroniser_test

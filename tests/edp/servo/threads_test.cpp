@@ -7,7 +7,7 @@
 
 #include "edp/rig.hpp"
 
-namespace mrroc::edp {
+namespace mrroc::edp::threads_test {
 namespace {
 
 // The servo and the comms side in two threads, both as fast as possible: commands arrive in time, late, and in the same
@@ -80,4 +80,4 @@ TEST(ServoChannel, TwoThreadsLoseNoCommandAndNeverTearASetPoint) {
 }
 
 }  // namespace
-}  // namespace mrroc::edp
+}  // namespace mrroc::edp::threads_test

@@ -14,7 +14,7 @@
 #include "mrroc/conditions/travelled.hpp"
 #include "mrroc/move.hpp"
 
-namespace mrroc {
+namespace mrroc::ready_conditions_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -232,4 +232,4 @@ TEST(ReadyConditions, RefuseInvalidArguments) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::ready_conditions_test

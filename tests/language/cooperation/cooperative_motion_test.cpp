@@ -9,7 +9,7 @@
 #include "mrroc/conditions/elapsed_steps.hpp"
 #include "mrroc/move.hpp"
 
-namespace mrroc {
+namespace mrroc::cooperative_motion_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -285,4 +285,4 @@ TEST(CooperativeMotion, RefusesInvalidArguments) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::cooperative_motion_test

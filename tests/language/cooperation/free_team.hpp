@@ -5,8 +5,8 @@
 
 namespace mrroc::fakes {
 
-/// A task with several robots, each a FreeModel that executes every pose exactly, on one grid: from rest all begin at
-/// the commanded tick.
+/// A task with several robots, each a FreeModel that executes every command of a pose or of joints exactly, on one
+/// grid: from rest all begin at the commanded tick.
 class FreeTeam : public FakeTask {
  public:
   class Member : public RobotLink {
@@ -42,6 +42,10 @@ class FreeTeam : public FakeTask {
           place(command_.pose);
           state.desired_velocity = command_.twist;
           if (command_.twist_acceleration.size() > 0) state.desired_acceleration = command_.twist_acceleration;
+        } else if (command_.kind == CommandKind::joint) {
+          place(model->flange(command_.joints));
+          if (command_.joint_velocity.size() > 0) state.desired_velocity = command_.joint_velocity;
+          if (command_.joint_acceleration.size() > 0) state.desired_acceleration = command_.joint_acceleration;
         }
         if (commands.size() == late_at) ++state.late_commands;
         state.tick = state.desired_tick = state.macrostep_start + command_.motion_steps;

@@ -3,7 +3,7 @@
 #include "language/property.hpp"
 #include "language/random_values.hpp"
 
-namespace mrroc {
+namespace mrroc::internal_wrench_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -131,4 +131,4 @@ TEST(InternalWrench, SqueezeIsRecoveredFromALoad) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::internal_wrench_test

@@ -5,7 +5,7 @@
 #include "language/property.hpp"
 #include "language/random_values.hpp"
 
-namespace mrroc {
+namespace mrroc::object_path_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -153,4 +153,4 @@ TEST(ObjectPath, RefusesInvalidArguments) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::object_path_test

@@ -8,7 +8,7 @@
 #include "mrroc/conditions/elapsed_steps.hpp"
 #include "mrroc/move.hpp"
 
-namespace mrroc {
+namespace mrroc::contact_search_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -160,4 +160,4 @@ TEST(ContactSearch, RefusesInvalidArguments) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::contact_search_test

@@ -11,7 +11,7 @@
 #include "mrroc/conditions/elapsed_steps.hpp"
 #include "mrroc/move.hpp"
 
-namespace mrroc {
+namespace mrroc::guarded_approach_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -236,4 +236,4 @@ TEST(GuardedApproach, BrakesAPresentMotionWithTheJointsLimits) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::guarded_approach_test

@@ -9,7 +9,7 @@
 #include "mrroc/conditions/travelled.hpp"
 #include "mrroc/move.hpp"
 
-namespace mrroc {
+namespace mrroc::guarded_motion_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -124,4 +124,4 @@ TEST(GuardedMotion, RefusesInvalidArguments) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::guarded_motion_test

@@ -8,7 +8,7 @@
 #include "mrroc/conditions/elapsed_steps.hpp"
 #include "mrroc/move.hpp"
 
-namespace mrroc {
+namespace mrroc::impedance_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -223,4 +223,4 @@ TEST(Impedance, RefusesInvalidArguments) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::impedance_test

@@ -8,7 +8,7 @@
 #include "mrroc/conditions/elapsed_steps.hpp"
 #include "mrroc/move.hpp"
 
-namespace mrroc {
+namespace mrroc::lead_through_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -146,4 +146,4 @@ TEST(LeadThrough, RefusesInvalidArguments) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::lead_through_test

@@ -9,7 +9,7 @@
 #include "mrroc/conditions/elapsed_steps.hpp"
 #include "mrroc/move.hpp"
 
-namespace mrroc {
+namespace mrroc::spiral_search_test {
 namespace {
 
 using fakes::check_property;
@@ -57,4 +57,4 @@ TEST(SpiralSearch, RefusesInvalidArguments) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::spiral_search_test

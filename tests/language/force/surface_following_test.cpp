@@ -9,7 +9,7 @@
 #include "mrroc/conditions/travelled.hpp"
 #include "mrroc/move.hpp"
 
-namespace mrroc {
+namespace mrroc::surface_following_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -184,4 +184,4 @@ TEST(SurfaceFollowing, RefusesInvalidArguments) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::surface_following_test

@@ -9,7 +9,7 @@
 #include "mrroc/conditions/elapsed_steps.hpp"
 #include "mrroc/move.hpp"
 
-namespace mrroc {
+namespace mrroc::weight_measurement_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -246,4 +246,4 @@ TEST(WeightMeasurement, RefusesInvalidPostures) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::weight_measurement_test

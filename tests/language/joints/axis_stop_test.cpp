@@ -9,7 +9,7 @@
 
 #include "edp/random_values.hpp"
 
-namespace mrroc::edp {
+namespace mrroc::edp::axis_stop_test {
 namespace {
 
 TEST(AxisStop, KeepsTheLimitsAndIsContinuous) {
@@ -78,4 +78,4 @@ TEST(AxisStop, StaysAtRest) {
 }
 
 }  // namespace
-}  // namespace mrroc::edp
+}  // namespace mrroc::edp::axis_stop_test

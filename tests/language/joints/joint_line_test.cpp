@@ -5,7 +5,7 @@
 #include "language/joints/joint_targets.hpp"
 #include "language/property.hpp"
 
-namespace mrroc::joint_line {
+namespace mrroc::joint_line::joint_line_test {
 namespace {
 
 using fakes::check_property;
@@ -173,4 +173,4 @@ TEST(JointLine, RefusesARobotThatIsNotInTheList) {
 }
 
 }  // namespace
-}  // namespace mrroc::joint_line
+}  // namespace mrroc::joint_line::joint_line_test

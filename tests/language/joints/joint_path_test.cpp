@@ -5,7 +5,7 @@
 #include "language/paths/path_arm.hpp"
 #include "mrroc/generators/joint_line.hpp"
 
-namespace mrroc {
+namespace mrroc::joint_path_test {
 namespace {
 
 using fakes::check_property;
@@ -219,4 +219,4 @@ TEST(JointPath, RefusesInvalidArguments) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::joint_path_test

@@ -8,7 +8,7 @@
 
 #include "language/fake_model.hpp"
 
-namespace mrroc {
+namespace mrroc::nearest_posture_test {
 namespace {
 
 /// A gantry with branches that a test sets, for any pose. Its motor 0 covers half of its joint's range.
@@ -106,4 +106,4 @@ TEST(NearestPosture, MissingPostureIsOutOfTheWorkspace) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::nearest_posture_test

@@ -14,7 +14,7 @@
 #include "mrroc/generators/tool_velocity.hpp"
 #include "mrroc/move.hpp"
 
-namespace mrroc {
+namespace mrroc::replay_test {
 namespace {
 
 using fakes::check_property;
@@ -251,4 +251,4 @@ TEST(Replay, RefusesInvalidPaths) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::replay_test

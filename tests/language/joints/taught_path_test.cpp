@@ -15,7 +15,7 @@
 #include "mrroc/testing/scratch_folder.hpp"
 #include "text_of.hpp"
 
-namespace mrroc {
+namespace mrroc::taught_path_test {
 namespace {
 
 using fakes::check_property;
@@ -255,4 +255,4 @@ TEST(TaughtPath, AddsTheDesiredPositionOfTheRobot) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::taught_path_test

@@ -9,7 +9,7 @@
 #include "mrroc/generators/together.hpp"
 #include "mrroc/move.hpp"
 
-namespace mrroc {
+namespace mrroc::teach_in_test {
 namespace {
 
 using fakes::check_property;
@@ -107,4 +107,4 @@ TEST(TeachIn, FullPathIsAnError) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::teach_in_test

@@ -4,7 +4,7 @@
 
 #include "language/paths/path_arm.hpp"
 
-namespace mrroc {
+namespace mrroc::blended_path_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -182,4 +182,4 @@ TEST(BlendedPath, RefusesInvalidArguments) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::blended_path_test

@@ -7,7 +7,7 @@
 #include "language/paths/kdl_frames.hpp"
 #include "language/paths/path_arm.hpp"
 
-namespace mrroc {
+namespace mrroc::cartesian_arc_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -170,4 +170,4 @@ TEST(CartesianArc, RefusesInvalidArguments) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::cartesian_arc_test

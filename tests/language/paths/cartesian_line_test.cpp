@@ -9,7 +9,7 @@
 #include "mrroc/conditions/elapsed_steps.hpp"
 #include "mrroc/move.hpp"
 
-namespace mrroc {
+namespace mrroc::cartesian_line_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -212,4 +212,4 @@ TEST(CartesianLine, RefusesInvalidArguments) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::cartesian_line_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace mrroc {
+namespace mrroc::path_timing_test {
 namespace {
 
 /// A joint's path s + waves of s, which counts the evaluations of its derivatives.
@@ -60,4 +60,4 @@ TEST(PathTiming, KeepsTheLimitsBetweenItsChecks) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::path_timing_test

@@ -4,7 +4,7 @@
 
 #include "language/paths/path_arm.hpp"
 
-namespace mrroc {
+namespace mrroc::pose_spline_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -211,4 +211,4 @@ TEST(PoseSpline, RefusesInvalidArguments) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::pose_spline_test

@@ -9,7 +9,7 @@
 #include "mrroc/conditions/elapsed_steps.hpp"
 #include "mrroc/move.hpp"
 
-namespace mrroc {
+namespace mrroc::tool_velocity_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -189,4 +189,4 @@ TEST(ToolVelocity, RefusesInvalidArguments) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::tool_velocity_test

@@ -9,7 +9,7 @@
 #include "mrroc/conditions/elapsed_steps.hpp"
 #include "mrroc/move.hpp"
 
-namespace mrroc {
+namespace mrroc::track_frame_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -197,4 +197,4 @@ TEST(TrackFrame, RefusesInvalidArguments) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::track_frame_test

@@ -10,7 +10,7 @@
 #include "mrroc/generators/position_servo.hpp"
 #include "mrroc/move.hpp"
 
-namespace mrroc {
+namespace mrroc::visual_servo_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -270,4 +270,4 @@ TEST(ImageServo, RefusesInvalidArguments) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::visual_servo_test

@@ -12,7 +12,7 @@
 #include "mrroc/generators/together.hpp"
 #include "mrroc/move.hpp"
 
-namespace mrroc {
+namespace mrroc::speed_override_test {
 namespace {
 
 using fakes::FakeTask;
@@ -146,4 +146,4 @@ TEST(SpeedOverride, TogetherScalesIfAllItsPartsDo) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::speed_override_test

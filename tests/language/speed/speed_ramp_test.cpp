@@ -5,7 +5,7 @@
 #include "language/property.hpp"
 #include "language/random_values.hpp"
 
-namespace mrroc {
+namespace mrroc::speed_ramp_test {
 namespace {
 
 using fakes::pick;
@@ -59,4 +59,4 @@ TEST(SpeedRamp, OwnTimeIsTheIntegralOfTheFactor) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::speed_ramp_test

@@ -13,7 +13,8 @@
 #include "links/transport/raw_writer.hpp"
 #include "links/transport/reader.hpp"
 #include "links/transport/writer.hpp"
-#include "links/wire/messages_support.hpp"
+#include "links/wire/random_messages.hpp"
+#include "links/wire/same_messages.hpp"
 
 namespace mrroc::links {
 namespace {
@@ -111,7 +112,7 @@ void fill(char (&text)[Size]) {
 }
 
 TEST(Malformed, RobotCommand) {
-  expect_dropped<RobotCommand>({{"kind", [](auto& w) { w.command_kind = 15; }},
+  expect_dropped<RobotCommand>({{"kind", [](auto& w) { w.command_kind = 17; }},
                                 {"with_outputs", [](auto& w) { w.with_outputs = 2; }},
                                 {"force.behaviour", [](auto& w) { w.force.behaviour[5] = 3; }},
                                 {"relative", [](auto& w) { w.relative = 2; }},
@@ -136,7 +137,7 @@ TEST(Malformed, RobotState) {
 }
 
 TEST(Malformed, Sensor) {
-  expect_dropped<SensorRequest>({{"kind", [](auto& w) { w.request_kind = 2; }}});
+  expect_dropped<SensorRequest>({{"kind", [](auto& w) { w.request_kind = 3; }}});
   expect_dropped<SensorReading>({{"channel_count", [](auto& w) { w.channel_count = 17; }},
                                  {"error code", [](auto& w) { w.error.code = 9999; }},
                                  {"error detail", [](auto& w) { fill(w.error.detail); }}});

@@ -17,7 +17,8 @@ namespace fs = std::filesystem;
 
 const fs::path kRoot = MRROC_SOURCE_DIR;
 // headers of src/links that contain DDS; only src/links and its tests may include them
-const std::set<std::string> kInternal = {"codec.hpp", "entity.hpp", "fields.hpp", "wire_parts.hpp"};
+const std::set<std::string> kInternal = {"cdr_type.hpp", "node_impl.hpp", "codec.hpp",
+                                         "entity.hpp",   "fields.hpp",    "wire_parts.hpp"};
 
 using Words = std::vector<std::string>;
 

@@ -10,7 +10,7 @@
 
 #include "mrroc/testing/scratch_folder.hpp"
 
-namespace mrroc::process {
+namespace mrroc::process::claimed_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -163,4 +163,4 @@ TEST_F(ClaimedFileTest, FileThatCannotBeOpenedIsNamedWithTheReason) {
 }
 
 }  // namespace
-}  // namespace mrroc::process
+}  // namespace mrroc::process::claimed_file_test

@@ -13,7 +13,7 @@
 #include "mrroc/black_box.hpp"
 #include "mrroc/errors.hpp"
 
-namespace mrroc::process {
+namespace mrroc::process::shared_black_box_test {
 namespace {
 
 /// A line with the number at both ends, so that a torn line is detected.
@@ -102,4 +102,4 @@ TEST(SharedBlackBox, RefusesOtherMemory) {
 }
 
 }  // namespace
-}  // namespace mrroc::process
+}  // namespace mrroc::process::shared_black_box_test

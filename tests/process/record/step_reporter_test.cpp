@@ -8,7 +8,7 @@
 #include "cli/trace/parse_line.hpp"
 #include "language/fakes.hpp"
 
-namespace mrroc::process {
+namespace mrroc::process::step_reporter_test {
 namespace {
 
 using cli::trace::Line;
@@ -154,4 +154,4 @@ TEST_F(Reported, ReportDoesNotAllocate) {
 }
 
 }  // namespace
-}  // namespace mrroc::process
+}  // namespace mrroc::process::step_reporter_test

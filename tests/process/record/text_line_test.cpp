@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <string>
 
-namespace mrroc::process {
+namespace mrroc::process::text_line_test {
 namespace {
 
 TEST(TextLine, NumbersReadBackExactly) {
@@ -31,4 +31,4 @@ TEST(TextLine, LongTextIsCutAndMarkedAsCut) {
 }
 
 }  // namespace
-}  // namespace mrroc::process
+}  // namespace mrroc::process::text_line_test

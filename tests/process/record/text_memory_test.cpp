@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-namespace mrroc::process {
+namespace mrroc::process::text_memory_test {
 namespace {
 
 TEST(TextMemory, EveryReaderGetsTheWholeText) {
@@ -22,4 +22,4 @@ TEST(TextMemory, NoProcessCanChangeIt) {
 }
 
 }  // namespace
-}  // namespace mrroc::process
+}  // namespace mrroc::process::text_memory_test

@@ -11,7 +11,7 @@
 
 #include "mrroc/testing/scratch_folder.hpp"
 
-namespace mrroc::process {
+namespace mrroc::process::trace_file_test {
 namespace {
 
 TEST(TraceFile, LosslessTraceKeepsEveryLineInOrder) {
@@ -117,4 +117,4 @@ TEST(TraceFile, OpenFileStaysItsOwners) {
 }
 
 }  // namespace
-}  // namespace mrroc::process
+}  // namespace mrroc::process::trace_file_test

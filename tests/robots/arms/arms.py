@@ -77,7 +77,7 @@ def free_port(kind):
         return probe.getsockname()[1]
 
 
-def by_controller(deployment, source):
+def by_controller(deployment, source, clock):
     """The deployment with the arm behind a UR controller, and the wrench from a Net F/T or from the controller itself ("netft" or "ur").
     All are simulated, and patient with a busy machine; an emergency stop is wired to the controller."""
     tcp = [free_port(socket.SOCK_STREAM) for _ in range(4)]
@@ -86,7 +86,7 @@ def by_controller(deployment, source):
     keys = {"netft": f'address = "127.0.0.1", simulated = true, timeout = 0.5, port = {free_port(socket.SOCK_DGRAM)}, http_port = {tcp[3]}',
             "ur": "timeout = 0.5, start_timeout = 30"}[source]
     sensor = f'mode = "interactive"\nsource = "{source}"\n{source} = {{ {keys} }}'
-    return (deployment.replace('clock = "lockstep"', 'clock = "real"').replace('hardware = "mujoco"', controller)
+    return (deployment.replace('clock = "lockstep"', f'clock = "{clock}"').replace('hardware = "mujoco"', controller)
             .replace('mode = "interactive"', sensor))
 
 
@@ -174,10 +174,14 @@ class Arm:
         programs = self.options.mrroc.parent.parent / "tests"
         runs = [("", lambda deployment: deployment)]
         if self.options.controllers:
-            runs += [(f" by its controller with source = {source}, run {number + 1}", lambda text, source=source: by_controller(text, source))
-                     for source in ("netft", "ur") for number in range(self.options.runs)]
+            runs += [(f" by its controller with source = {source}, clock = {clock}, run {number + 1}",
+                      lambda text, source=source, clock=clock: by_controller(text, source, clock))
+                     for source in ("netft", "ur") for clock in self.options.clocks for number in range(self.options.runs)]
+        hashes = {}  # of the traces in lockstep, by the deployment
         for how, change in runs:
             forces = [step["wrench"][:3] for step in steps(programs / "press_at_home_ecp", pad, change=change) if "wrench" in step]
+            if "lockstep" in how:
+                hashes.setdefault(how.split(", run")[0], set()).add(hashlib.sha256(trace.read_bytes()).hexdigest())
             force = max(math.dist(each, forces[0]) for each in forces)  # without the weight behind the sensor
             if not FORCE[0] <= force <= FORCE[1]:
                 raise RuntimeError(f"{self.name}: pressed with {force:.1f} N{how}, expected {FORCE[0]} to {FORCE[1]} N")
@@ -185,6 +189,10 @@ class Arm:
             if self.options.controllers:
                 steps(programs / "force_at_home_ecp", pad, change=change)  # ends with an error unless every part holds
                 print(f"{self.name}: force law, lead-through and force limit{how}", flush=True)
+        for how, different in hashes.items():
+            if len(different) > 1:
+                raise RuntimeError(f"{self.name}: {self.options.runs} runs{how} have {len(different)} different traces")
+            print(f"{self.name}: one trace of {self.options.runs} runs{how}", flush=True)
 
     def picture(self):
         self.options.pictures.mkdir(parents=True, exist_ok=True)
@@ -219,7 +227,8 @@ def main():
     parser.add_argument("--runs", type=int, default=1)
     parser.add_argument("--postures", default="10000", help="of the checks; a table has the default")
     parser.add_argument("--table", type=pathlib.Path)
-    parser.add_argument("--controllers", action="store_true", help="only arms with a controller that is simulated: press with it, on the real clock")
+    parser.add_argument("--controllers", action="store_true", help="only arms with a controller that is simulated: press with it, on the real clock and in lockstep")
+    parser.add_argument("--clocks", nargs="+", choices=("real", "lockstep"), default=["real", "lockstep"], help="of --controllers")
     parser.add_argument("--pictures", type=pathlib.Path, default=pathlib.Path("docs/pictures/arms"))
     options = parser.parse_args()
     options.mrroc, options.cache = options.mrroc.resolve(), options.cache.resolve()

@@ -3,7 +3,7 @@
 #include "allocations.hpp"
 #include "robots/polycrank/polycrank_fixture.hpp"
 
-namespace mrroc {
+namespace mrroc::allocation_test {
 namespace {
 
 TEST(PolycrankAllocation, CounterCountsNewAndEigensHeap) {
@@ -35,4 +35,4 @@ TEST(PolycrankAllocation, MethodsDoNotAllocate) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::allocation_test

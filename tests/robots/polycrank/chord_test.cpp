@@ -4,7 +4,7 @@
 
 #include "robots/polycrank/polycrank_cases.hpp"
 
-namespace mrroc::polycrank {
+namespace mrroc::polycrank::chord_test {
 namespace {
 
 double any_length() { return any_between(0.05, 0.5) * (*rc::gen::arbitrary<bool>() ? 1 : -1); }
@@ -65,4 +65,4 @@ TEST(PolycrankChord, NoPointOfBothIsNearerThanTheNearest) {
 }
 
 }  // namespace
-}  // namespace mrroc::polycrank
+}  // namespace mrroc::polycrank::chord_test

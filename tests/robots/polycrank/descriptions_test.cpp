@@ -10,7 +10,7 @@
 #include "robots/common/mjcf.hpp"
 #include "robots/polycrank/polycrank_fixture.hpp"
 
-namespace mrroc {
+namespace mrroc::descriptions_test {
 namespace {
 
 constexpr std::uint64_t kDescriptionSeed = 20110118;
@@ -149,4 +149,4 @@ TEST(PolycrankDescriptions, WristSiteIsOnTheBodyThatCarriesTheTool) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::descriptions_test

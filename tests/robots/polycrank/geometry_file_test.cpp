@@ -8,7 +8,7 @@
 #include "robots/polycrank/polycrank_fixture.hpp"
 #include "text_of.hpp"
 
-namespace mrroc {
+namespace mrroc::geometry_file_test {
 namespace {
 
 std::string file_text() { return test::text_of(polycrank_source("polycrank.toml")); }
@@ -85,4 +85,4 @@ TEST(PolycrankGeometryFile, CranksOfUnequalLengthsAreSolvedToo) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::geometry_file_test

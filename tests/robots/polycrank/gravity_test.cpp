@@ -7,7 +7,7 @@
 #include "robots/common/servo.hpp"
 #include "robots/polycrank/polycrank_fixture.hpp"
 
-namespace mrroc {
+namespace mrroc::gravity_test {
 namespace {
 
 JointVector gears() { return polycrank_model().transmission(polycrank_home()).diagonal(); }
@@ -109,4 +109,4 @@ TEST(PolycrankGravity, DrivesHoldTheArmInEveryPostureAlsoAtFullSpeed) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::gravity_test

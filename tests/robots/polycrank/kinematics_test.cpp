@@ -2,7 +2,7 @@
 
 #include "robots/polycrank/polycrank_cases.hpp"
 
-namespace mrroc {
+namespace mrroc::kinematics_test {
 namespace {
 
 struct TableRow {
@@ -135,4 +135,4 @@ TEST(PolycrankKinematics, InvalidInputGivesACodeOrFiniteNumbers) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::kinematics_test

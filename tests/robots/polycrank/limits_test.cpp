@@ -4,7 +4,7 @@
 
 #include "robots/polycrank/polycrank_fixture.hpp"
 
-namespace mrroc {
+namespace mrroc::limits_test {
 namespace {
 
 TEST(PolycrankLimits, JointsAndMotorsAreUnlimited) {
@@ -40,4 +40,4 @@ TEST(PolycrankLimits, FrictionAtFullSpeedLeavesTheDrivesCurrent) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::limits_test

@@ -4,7 +4,7 @@
 
 #include "robots/polycrank/polycrank_fixture.hpp"
 
-namespace mrroc::edp {
+namespace mrroc::edp::planner_test {
 namespace {
 
 constexpr double kPeriod = 0.002;
@@ -60,4 +60,4 @@ TEST(PolycrankPlanner, IsIndependentOfAHundredTurns) {
 }
 
 }  // namespace
-}  // namespace mrroc::edp
+}  // namespace mrroc::edp::planner_test

@@ -4,7 +4,7 @@
 #include "robots/common/one_robot_task.hpp"
 #include "robots/polycrank/polycrank_fixture.hpp"
 
-namespace mrroc {
+namespace mrroc::polycrank_class_test {
 namespace {
 
 TEST(PolycrankClass, UsesItsProcessesRobotAndTheInstalledModel) {
@@ -28,4 +28,4 @@ TEST(PolycrankClass, RefusesANameThatIsNotInTheDeployment) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::polycrank_class_test

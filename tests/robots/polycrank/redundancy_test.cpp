@@ -4,7 +4,7 @@
 
 #include "robots/polycrank/polycrank_cases.hpp"
 
-namespace mrroc {
+namespace mrroc::redundancy_test {
 namespace {
 
 JointVector inverse(const Pose& pose, const JointVector& near) {
@@ -133,4 +133,4 @@ TEST(PolycrankRedundancy, ClosedPathDriftsUntilItCloses) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::redundancy_test

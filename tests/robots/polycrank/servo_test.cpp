@@ -3,7 +3,7 @@
 #include "robots/common/drive_model.hpp"
 #include "robots/polycrank/polycrank_fixture.hpp"
 
-namespace mrroc {
+namespace mrroc::servo_test {
 namespace {
 
 // the links' inertia at the shafts is up to three times that of the rotors (gravity_test)
@@ -33,4 +33,4 @@ TEST(PolycrankServo, EveryAxisToleratesATickOfDelay) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::servo_test

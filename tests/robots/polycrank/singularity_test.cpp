@@ -2,7 +2,7 @@
 
 #include "robots/polycrank/polycrank_cases.hpp"
 
-namespace mrroc {
+namespace mrroc::singularity_test {
 namespace {
 
 double shoulder_sum(const JointVector& joints) { return joints.head<3>().sum(); }
@@ -72,4 +72,4 @@ TEST(PolycrankSingularity, BendMayChangeAlongAPath) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::singularity_test

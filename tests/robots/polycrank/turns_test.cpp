@@ -2,7 +2,7 @@
 
 #include "robots/polycrank/polycrank_cases.hpp"
 
-namespace mrroc {
+namespace mrroc::turns_test {
 namespace {
 
 TEST(PolycrankTurns, WholeTurnsOfNearAreKeptByEveryJoint) {
@@ -58,4 +58,4 @@ TEST(PolycrankTurns, MotorsAndJointsAgreeTenThousandTurnsAway) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::turns_test

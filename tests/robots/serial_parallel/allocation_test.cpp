@@ -3,7 +3,7 @@
 #include "allocations.hpp"
 #include "fixture.hpp"
 
-namespace mrroc {
+namespace mrroc::allocation_test {
 namespace {
 
 TEST(SerialParallelAllocation, CounterCountsNewAndEigensHeap) {
@@ -36,4 +36,4 @@ TEST(SerialParallelAllocation, MethodsDoNotAllocate) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::allocation_test

@@ -4,7 +4,7 @@
 #include "mrroc/robots/serial_parallel.hpp"
 #include "robots/common/one_robot_task.hpp"
 
-namespace mrroc {
+namespace mrroc::class_test {
 namespace {
 
 TEST(SerialParallelClass, UsesItsProcessesRobotAndTheInstalledModel) {
@@ -17,4 +17,4 @@ TEST(SerialParallelClass, UsesItsProcessesRobotAndTheInstalledModel) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::class_test

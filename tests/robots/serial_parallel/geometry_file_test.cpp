@@ -3,7 +3,7 @@
 #include "fixture.hpp"
 #include "robots/common/changed_file.hpp"
 
-namespace mrroc {
+namespace mrroc::geometry_file_test {
 namespace {
 
 std::string error_with(const std::string& from, const std::string& to) {
@@ -37,4 +37,4 @@ TEST(SerialParallelGeometryFile, InstalledFileLoads) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::geometry_file_test

@@ -8,7 +8,7 @@
 #include "mrroc/robots/serial_parallel.hpp"
 #include "mrroc/tool_kinematics.hpp"
 
-namespace mrroc {
+namespace mrroc::kinematics_test {
 namespace {
 
 bool nearly_straight(const JointVector& joints) { return std::abs(std::sin(joints[4])) < 1e-4; }
@@ -125,4 +125,4 @@ TEST(SerialParallelKinematics, InvalidInputGivesACodeOrFiniteNumbers) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::kinematics_test

@@ -3,7 +3,7 @@
 #include "cases.hpp"
 #include "mrroc/robots/serial_parallel.hpp"
 
-namespace mrroc {
+namespace mrroc::limits_test {
 namespace {
 
 TEST(SerialParallelTransmission, MotorsReturnToTheirJoints) {
@@ -122,4 +122,4 @@ TEST(SerialParallelLimits, DrivesCarryTheirFrictionAndTheirRotorsAtFullSpeedAndA
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::limits_test

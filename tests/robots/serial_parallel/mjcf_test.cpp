@@ -4,7 +4,7 @@
 #include "robots/serial_parallel/closed_mjcf.hpp"
 #include "robots/serial_parallel/fixture.hpp"
 
-namespace mrroc {
+namespace mrroc::mjcf_test {
 namespace {
 
 constexpr std::uint64_t kMjcfSeed = 20060104;
@@ -142,4 +142,4 @@ TEST(SerialParallelMjcf, WristSiteIsTheFlangeOnTheBodyThatCarriesTheTool) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::mjcf_test

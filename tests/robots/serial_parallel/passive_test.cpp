@@ -6,7 +6,7 @@
 #include "cases.hpp"
 #include "legs.hpp"
 
-namespace mrroc::serial_parallel {
+namespace mrroc::serial_parallel::passive_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -62,4 +62,4 @@ TEST(PassiveJoints, RequiresAnUprightPlatform) {
 }
 
 }  // namespace
-}  // namespace mrroc::serial_parallel
+}  // namespace mrroc::serial_parallel::passive_test

@@ -5,7 +5,7 @@
 #include "fixture.hpp"
 #include "robots/common/regulator_tracking.hpp"
 
-namespace mrroc {
+namespace mrroc::servo_test {
 namespace {
 
 // a simulator or a bus with its own clock acts up to one tick late
@@ -37,4 +37,4 @@ TEST(SerialParallelServo, EveryAxisFollowsAtFullSpeed) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::servo_test

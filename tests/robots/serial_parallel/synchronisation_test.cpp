@@ -4,7 +4,7 @@
 #include "robots/serial_parallel/closed_mjcf.hpp"
 #include "robots/serial_parallel/fixture.hpp"
 
-namespace mrroc {
+namespace mrroc::synchronisation_test {
 namespace {
 
 // one leg after the other tilts the platform: from home the tilt is permitted
@@ -29,4 +29,4 @@ TEST(SerialParallelSynchronisation, LegsStayWithinTheirJointsAndReachNoStopFromH
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::synchronisation_test

@@ -8,7 +8,7 @@
 #include "cases.hpp"
 #include "legs.hpp"
 
-namespace mrroc::serial_parallel {
+namespace mrroc::serial_parallel::tripod_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -128,4 +128,4 @@ TEST(Tripod, LegsThatDoNotCloseAreReportedAndKeepTheLevelPlatform) {
 }
 
 }  // namespace
-}  // namespace mrroc::serial_parallel
+}  // namespace mrroc::serial_parallel::tripod_test

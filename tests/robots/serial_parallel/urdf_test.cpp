@@ -7,7 +7,7 @@
 #include "robots/serial_parallel/closed_mjcf.hpp"
 #include "robots/serial_parallel/fixture.hpp"
 
-namespace mrroc {
+namespace mrroc::urdf_test {
 namespace {
 
 constexpr std::uint64_t kUrdfSeed = 20060104;
@@ -103,4 +103,4 @@ TEST(SerialParallelUrdf, PartsHaveEqualMassesInUrdfAndMjcf) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::urdf_test

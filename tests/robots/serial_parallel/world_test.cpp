@@ -1,6 +1,6 @@
 #include "world_fixture.hpp"
 
-namespace mrroc {
+namespace mrroc::world_test {
 namespace {
 
 TEST_F(SerialParallelWorld, StartsAtHomeWithItsLoopsClosed) {
@@ -117,4 +117,4 @@ TEST_F(SerialParallelWorld, BrakesHoldItsPosition) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::world_test

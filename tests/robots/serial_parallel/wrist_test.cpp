@@ -6,7 +6,7 @@
 
 #include "cases.hpp"
 
-namespace mrroc::serial_parallel {
+namespace mrroc::serial_parallel::wrist_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -58,4 +58,4 @@ TEST(Wrist, PathThroughTheStraightWristContinues) {
 }
 
 }  // namespace
-}  // namespace mrroc::serial_parallel
+}  // namespace mrroc::serial_parallel::wrist_test

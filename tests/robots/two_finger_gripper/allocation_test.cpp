@@ -3,7 +3,7 @@
 #include "gripper_fixture.hpp"
 #include "sim/mujoco_allocations.hpp"
 
-namespace mrroc {
+namespace mrroc::allocation_test {
 namespace {
 
 TEST(GripperAllocation, MethodsDoNotAllocate) {
@@ -24,4 +24,4 @@ TEST(GripperAllocation, MethodsDoNotAllocate) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::allocation_test

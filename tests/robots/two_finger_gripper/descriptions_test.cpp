@@ -8,7 +8,7 @@
 #include "robots/common/kdl_chain.hpp"
 #include "robots/common/loaded_mjcf.hpp"
 
-namespace mrroc {
+namespace mrroc::descriptions_test {
 namespace {
 
 /// Positions of the passive joint and of the driven joint that moves on it.
@@ -99,4 +99,4 @@ TEST(GripperDescriptions, HasNoSelfContact) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::descriptions_test

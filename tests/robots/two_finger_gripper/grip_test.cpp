@@ -7,7 +7,7 @@
 #include "mrroc/testing/scratch_folder.hpp"
 #include "robots/common/simulated_edp.hpp"
 
-namespace mrroc {
+namespace mrroc::grip_test {
 namespace {
 
 /// A cube of 57 mm, 3 mm off the centre, on a table that a motor can lower.
@@ -136,4 +136,4 @@ TEST_F(GripperGrips, HoldsItsPartWithTheDriveOff) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::grip_test

@@ -5,7 +5,7 @@
 #include "mrroc/robots/two_finger_gripper.hpp"
 #include "robots/common/one_robot_task.hpp"
 
-namespace mrroc {
+namespace mrroc::gripper_class_test {
 namespace {
 
 class GripperClass : public testing::Test {
@@ -56,4 +56,4 @@ TEST_F(GripperClass, FingersWiderThanDesiredGrip) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::gripper_class_test

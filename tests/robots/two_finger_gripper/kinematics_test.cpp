@@ -3,7 +3,7 @@
 #include "gripper_fixture.hpp"
 #include "robots/common/any_number.hpp"
 
-namespace mrroc {
+namespace mrroc::kinematics_test {
 namespace {
 
 constexpr double kReach = 0.125;
@@ -69,4 +69,4 @@ TEST(GripperKinematics, InvalidPoseIsOutOfWorkspace) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::kinematics_test

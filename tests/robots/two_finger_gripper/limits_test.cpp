@@ -2,7 +2,7 @@
 
 #include "gripper_fixture.hpp"
 
-namespace mrroc {
+namespace mrroc::limits_test {
 namespace {
 
 TEST(GripperLimits, JointLimitsAndHomeAreWithinTheMotorLimits) {
@@ -45,4 +45,4 @@ TEST(GripperLimits, GripForceIsThatOfTheParameterFile) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::limits_test

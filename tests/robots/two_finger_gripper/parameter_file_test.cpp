@@ -5,7 +5,7 @@
 #include "mrroc/testing/scratch_folder.hpp"
 #include "robots/common/changed_file.hpp"
 
-namespace mrroc {
+namespace mrroc::parameter_file_test {
 namespace {
 
 std::string error_with(const std::string& from, const std::string& to) {
@@ -63,4 +63,4 @@ TEST(GripperFile, InstalledFileLoads) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::parameter_file_test

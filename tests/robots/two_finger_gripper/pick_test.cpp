@@ -7,7 +7,7 @@
 #include "sim/state_file.hpp"
 #include "system/equal_runs.hpp"
 
-namespace mrroc {
+namespace mrroc::pick_test {
 namespace {
 
 TEST(Pick, CubeEndsOnItsMarkEquallyInTwoRuns) {
@@ -25,4 +25,4 @@ TEST(Pick, CubeEndsOnItsMarkEquallyInTwoRuns) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::pick_test

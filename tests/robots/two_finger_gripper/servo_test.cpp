@@ -3,7 +3,7 @@
 #include "gripper_fixture.hpp"
 #include "robots/common/regulator_tracking.hpp"
 
-namespace mrroc {
+namespace mrroc::servo_test {
 namespace {
 
 TEST(GripperServo, OriginalLawTracksAlsoWithATickOfDelay) {
@@ -19,4 +19,4 @@ TEST(GripperServo, OriginalLawTracksAlsoWithATickOfDelay) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::servo_test

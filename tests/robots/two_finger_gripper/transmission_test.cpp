@@ -5,7 +5,7 @@
 #include "gripper_fixture.hpp"
 #include "robots/common/any_number.hpp"
 
-namespace mrroc {
+namespace mrroc::transmission_test {
 namespace {
 
 double any_opening() { return any_between(opening_axis().position_min, opening_axis().position_max); }
@@ -83,4 +83,4 @@ TEST(GripperTransmission, InvalidInputGivesACodeOrFiniteNumbers) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::transmission_test

@@ -3,7 +3,7 @@
 
 #include "sensors/camera/seen_world.hpp"
 
-namespace mrroc::vsp {
+namespace mrroc::vsp::blob_test {
 namespace {
 
 constexpr int kPlacements = 50;
@@ -159,4 +159,4 @@ TEST(Blob, NewestStateIsMeasuredWithItsTick) {
 }
 
 }  // namespace
-}  // namespace mrroc::vsp
+}  // namespace mrroc::vsp::blob_test

@@ -12,7 +12,7 @@
 #include "sensors/entry.hpp"
 #include "sensors/played_task.hpp"
 
-namespace mrroc {
+namespace mrroc::camera_test {
 namespace {
 
 /// A sensor whose raw values are its channels: the client's side alone.
@@ -73,4 +73,4 @@ TEST_F(CameraTest, SeenRefusesInvalidDeviations) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::camera_test

@@ -2,7 +2,7 @@
 
 #include "system/equal_runs.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::demo_test {
 namespace {
 
 /// The demo ends with an error when its cameras' measurements are off by 2 mm.
@@ -12,4 +12,4 @@ TEST(CameraDemo, PointsAtMeasuredTargetsEquallyInTwoRuns) {
 }
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::demo_test

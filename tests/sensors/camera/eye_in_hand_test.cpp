@@ -4,7 +4,7 @@
 #include "robots/irb6/irb6_model.hpp"
 #include "sensors/camera/seen_world.hpp"
 
-namespace mrroc::vsp {
+namespace mrroc::vsp::eye_in_hand_test {
 namespace {
 
 const Pose kBase = pose_from_rpy({0.1, -0.2, 0.7}, {0, 0, 0.5});
@@ -128,4 +128,4 @@ TEST(EyeInHand, CameraDirectedAwayFromThePlaneReportsIt) {
 }
 
 }  // namespace
-}  // namespace mrroc::vsp
+}  // namespace mrroc::vsp::eye_in_hand_test

@@ -9,7 +9,7 @@
 #include "sensors/camera/pictures/live_camera.hpp"
 #include "sensors/camera/seen_world.hpp"
 
-namespace mrroc::vsp {
+namespace mrroc::vsp::hardware_test {
 namespace {
 
 constexpr int kPictures = 20;
@@ -146,7 +146,8 @@ TEST(LiveCamera, ReturnsTheNewestPictureAndNeverWaits) {
   hardware.intrinsics.width = 320;
   hardware.intrinsics.height = 240;
   {
-    LiveCamera camera([&](cv::Mat& taken) { return device.take(taken); }, hardware, 100, picture);
+    LiveCamera camera([&](cv::Mat& taken) { return device.take(taken); }, [](double) { return true; }, hardware, 100,
+                      picture);
     RawReading raw;
     EXPECT_EQ(camera.read(10, raw), SourceState::not_ready);
     EXPECT_EQ(camera.read(110, raw), SourceState::not_ready);
@@ -166,5 +167,37 @@ TEST(LiveCamera, ReturnsTheNewestPictureAndNeverWaits) {
   }
 }
 
+TEST(LiveCamera, ReadsNoPictureThatWasExposedBefore) {
+  Device device;
+  cv::Mat picture;
+  HardwareCamera hardware;
+  hardware.intrinsics.width = 320;
+  hardware.intrinsics.height = 240;
+  double exposure = 0;
+  LiveCamera camera([&](cv::Mat& taken) { return device.take(taken); },
+                    [&](double seconds) {
+                      if (seconds > 1) return false;
+                      exposure = seconds;
+                      return true;
+                    },
+                    hardware, 1000, picture);
+  RawReading raw;
+  device.give();
+  ASSERT_TRUE(becomes(camera, 1, raw, [](SourceState state) { return state == SourceState::ready; }));
+  device.give();
+  camera.expose(0.02);
+  EXPECT_EQ(exposure, 0.02);
+  EXPECT_EQ(camera.read(2, raw), SourceState::not_ready);
+  for (std::uint64_t i = 0; i < LiveCamera::kQueued; ++i) device.give();
+  device.give();
+  ASSERT_TRUE(becomes(camera, 3, raw, [](SourceState state) { return state == SourceState::ready; }));
+  EXPECT_EQ(raw.values[0], 3 + static_cast<double>(LiveCamera::kQueued));
+  EXPECT_EQ(picture.at<cv::Vec3b>(0, 0)[2], 3 + static_cast<int>(LiveCamera::kQueued));
+  device.give();
+  EXPECT_THROW(camera.expose(5), NonFatalError);
+  device.end();
+  EXPECT_THROW(camera.expose(0.02), HardwareError);
+}
+
 }  // namespace
-}  // namespace mrroc::vsp
+}  // namespace mrroc::vsp::hardware_test

@@ -3,7 +3,7 @@
 
 #include "sensors/camera/seen_world.hpp"
 
-namespace mrroc::vsp {
+namespace mrroc::vsp::marker_test {
 namespace {
 
 constexpr int kMarkerPlacements = 50;
@@ -55,6 +55,45 @@ TEST(Marker, PoseIsWithinTwoMillimetresAndOneDegreeAtFiftyPlacements) {
   EXPECT_LE(worst.beyond, 5);
 }
 
+TEST(Marker, ConfiguredMarkerIsLookedForFromTheNextReadingOn) {
+  SeenWorld world(scene_of(std::string(kNear) + kMarker, marker_assets()), "detect = 'marker'\nmarker = 3\n");
+  world.open();
+  world.place("marker", pose_from_rpy({0.03, 0.02, 0.02}, {0, 0, 0.4}));
+  EXPECT_FALSE(detected(world.measure(1)));
+  world.sensor().reconfigure(pack(LookFor{7, 0.06, {}}));
+  const SensorReading v = world.measure(2);
+  ASSERT_TRUE(detected(v));
+  EXPECT_LT((position_of(v) - Eigen::Vector3d(0.03, 0.02, 0.02)).norm(), 0.0005);
+  // in a part of the picture it is at the same place, or not at all
+  const int u = static_cast<int>(v.values[12]), w = static_cast<int>(v.values[13]);
+  world.sensor().reconfigure(pack(Region{u - 90, w - 80, 180, 160}));
+  const SensorReading in_part = world.measure(3);
+  ASSERT_TRUE(detected(in_part));
+  EXPECT_NEAR(in_part.values[12], v.values[12], 0.1);
+  EXPECT_NEAR(in_part.values[13], v.values[13], 0.1);
+  EXPECT_LT((position_of(in_part) - position_of(v)).norm(), 1e-4);
+  world.sensor().reconfigure(pack(Region{0, 0, 16, 16}));
+  EXPECT_FALSE(detected(world.measure(4)));
+  world.sensor().reconfigure(pack(Region{}));
+  EXPECT_TRUE(detected(world.measure(5)));
+}
+
+TEST(Marker, RefusedConfigurationsChangeNothing) {
+  SeenWorld world(scene_of(std::string(kNear) + kMarker, marker_assets()), kMarkerKeys);
+  world.open();
+  world.place("marker", pose_from_rpy({0.03, 0.02, 0.02}, {0, 0, 0.4}));
+  const SensorReading before = world.measure(1);
+  for (const Message& wrong :
+       {pack(LookFor{50, 0.06, {}}), pack(LookFor{-1, 0.06, {}}), pack(LookFor{7, 0, {}}),
+        pack(LookFor{7, 0.06, {"5X5_7"}}), pack(Region{600, 0, 100, 100}), pack(Region{-1, 0, 100, 100}),
+        pack(Region{0, 0, 4, 4}), pack(Exposure{0.01}), pack(Exposure{-1}), pack(LookForColour{.hue = {0, 400}}),
+        pack(LookForColour{.saturation = {0.9, 0.1}}), pack(LookForColour{.plane_normal = {0, 0, 0}}),
+        pack(LookForColour{.plane = {0, 0, 2}})})
+    EXPECT_NE(refusal([&] { world.sensor().reconfigure(wrong); }), "") << wrong.label.view();
+  const SensorReading after = world.measure(2);
+  EXPECT_EQ(before.values, after.values);
+}
+
 TEST(Marker, AxesAreThoseOfTheMarker) {
   SeenWorld world(scene_of(std::string(kNear) + kMarker, marker_assets()), kMarkerKeys);
   world.open();
@@ -86,4 +125,4 @@ TEST(Marker, CoveredMarkerIsNotDetected) {
 }
 
 }  // namespace
-}  // namespace mrroc::vsp
+}  // namespace mrroc::vsp::marker_test

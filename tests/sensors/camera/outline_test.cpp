@@ -8,7 +8,7 @@
 #include "geometry/rigid_motion.hpp"
 #include "sensors/camera/detection/marker_detector.hpp"
 
-namespace mrroc::vsp {
+namespace mrroc::vsp::outline_test {
 namespace {
 
 double between(double from, double to) { return from + (to - from) * *rc::gen::inRange(0, 10001) / 10000; }
@@ -85,4 +85,4 @@ TEST(Intrinsics, DistortionIsRemoved) {
 }
 
 }  // namespace
-}  // namespace mrroc::vsp
+}  // namespace mrroc::vsp::outline_test

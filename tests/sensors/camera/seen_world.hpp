@@ -91,13 +91,10 @@ class SeenWorld {
   }
   void turn(const std::string& joint, double position) { *position_of(joint) = position; }
 
-  void store(Tick tick) {
-    world::WorldSnapshot snapshot{};
-    snapshot.tick = tick;
-    snapshot.position_count = static_cast<std::uint32_t>(positions_.size());
-    std::copy(positions_.begin(), positions_.end(), snapshot.values.begin());
-    memory_->snapshot.store(snapshot);
-  }
+  void store(Tick tick) { memory_->snapshot.store(snapshot(tick)); }
+  /// For cameras that are late.
+  void store_seen(Tick tick) { memory_->seen.store(snapshot(tick)); }
+
   /// The reading of the world in its present state.
   SensorReading measure(Tick tick = 1) {
     store(tick);
@@ -117,6 +114,13 @@ class SeenWorld {
   SourceState state() const { return state_; }
 
  private:
+  world::WorldSnapshot snapshot(Tick tick) const {
+    world::WorldSnapshot snapshot{};
+    snapshot.tick = tick;
+    snapshot.position_count = static_cast<std::uint32_t>(positions_.size());
+    std::copy(positions_.begin(), positions_.end(), snapshot.values.begin());
+    return snapshot;
+  }
   double* position_of(const std::string& joint) {
     const int id = mj_name2id(model_.get(), mjOBJ_JOINT, joint.c_str());
     EXPECT_GE(id, 0) << joint;

@@ -1,6 +1,6 @@
 #include "sensors/camera/seen_world.hpp"
 
-namespace mrroc::vsp {
+namespace mrroc::vsp::wrong_input_test {
 namespace {
 
 struct Mistake {
@@ -122,4 +122,4 @@ TEST(WrongCameraKeys, AreRefusedByTheTypesDeclarations) {
 }
 
 }  // namespace
-}  // namespace mrroc::vsp
+}  // namespace mrroc::vsp::wrong_input_test

@@ -3,7 +3,7 @@
 #include "allocations.hpp"
 #include "sensors/force_torque/made_sensor.hpp"
 
-namespace mrroc::vsp {
+namespace mrroc::vsp::allocation_test {
 namespace {
 
 TEST(ForceTorqueAllocation, NoneAfterItsConfiguration) {
@@ -24,4 +24,4 @@ TEST(ForceTorqueAllocation, NoneAfterItsConfiguration) {
 }
 
 }  // namespace
-}  // namespace mrroc::vsp
+}  // namespace mrroc::vsp::allocation_test

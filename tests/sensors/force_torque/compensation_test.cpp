@@ -13,7 +13,7 @@
 #include "sim/worlds.hpp"
 #include "text_of.hpp"
 
-namespace mrroc::vsp {
+namespace mrroc::vsp::compensation_test {
 namespace {
 
 constexpr int kPostures = 1000;
@@ -152,4 +152,4 @@ TEST(ForceTorqueCompensation, ResidualOfAKilogramIsBelowItsLimitsInAThousandFree
 }
 
 }  // namespace
-}  // namespace mrroc::vsp
+}  // namespace mrroc::vsp::compensation_test

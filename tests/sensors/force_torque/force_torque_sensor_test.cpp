@@ -8,7 +8,7 @@
 #include "mrroc/errors.hpp"
 #include "sensors/force_torque/made_sensor.hpp"
 
-namespace mrroc::vsp {
+namespace mrroc::vsp::force_torque_sensor_test {
 namespace {
 
 /// A wrench within the default ranges.
@@ -28,6 +28,36 @@ RobotState state_of(const Eigen::Matrix3d& orientation, bool synchronised = true
   state.pose.linear() = orientation;
   state.synchronised = synchronised;
   return state;
+}
+
+TEST(ForceTorqueSensor, ZeroIsTakenOutOfEveryReading) {
+  ForceTorqueSensor sensor = made_sensor("zero = [1.0, -2.0, 3.0, 0.1, -0.2, 0.3]\n");
+  Wrench zero;
+  zero << 1, -2, 3, 0.1, -0.2, 0.3;
+  const Wrench load = Wrench::Constant(0.5);
+  EXPECT_TRUE(wrench_of(aggregated(sensor, raw_of(load + zero))).isApprox(load));
+  EXPECT_TRUE(sensor.load(raw_of(load + zero)).isApprox(load)) << "of the EDP's force limits, too";
+}
+
+TEST(ForceTorqueSensor, WeightOfWhatItCarriesIsNoPartOfTheReadingInAnyPosture) {
+  EXPECT_TRUE(rc::check([] {
+    const std::string cutoff = std::to_string(*rc::gen::element(0, 5));
+    ForceTorqueSensor sensor = made_sensor("tool_mass = 1.0\ncutoff = " + cutoff + ".0");
+    const Load load{0.1 * *rc::gen::inRange(1, 30), {0.01 * *rc::gen::inRange(-9, 10), 0.02, 0.1}};
+    const Eigen::Matrix3d first = any_rotation(), then = any_rotation();
+    const auto supported = [&](const Eigen::Matrix3d& R) -> Wrench {
+      return weight_of({1.0, Eigen::Vector3d::Zero()}, R) + weight_of(load, R);
+    };
+    sensor.effector_state(state_of(first));
+    for (Tick tick = 0; tick < 10; ++tick) sensor.track(raw_of(supported(first), tick));
+    RC_ASSERT((wrench_of(aggregated(sensor, raw_of(supported(first), 9))) - weight_of(load, first)).norm() < 1e-9);
+    sensor.carry(load);
+    RC_ASSERT(wrench_of(aggregated(sensor, raw_of(supported(first), 9))).norm() < 1e-9);  // the filter, too
+    sensor.effector_state(state_of(then));
+    RC_ASSERT(wrench_of(aggregated(sensor, raw_of(supported(then), 10))).norm() < 1e-9);
+    sensor.carry({});
+    RC_ASSERT((wrench_of(aggregated(sensor, raw_of(supported(then), 10))) - weight_of(load, then)).norm() < 1e-9);
+  }));
 }
 
 TEST(ForceTorqueSensor, ReadsTheNegativeOfTheSupport) {
@@ -130,4 +160,4 @@ TEST(ForceTorqueSensor, RefusesParametersThatContradictEachOther) {
 }
 
 }  // namespace
-}  // namespace mrroc::vsp
+}  // namespace mrroc::vsp::force_torque_sensor_test

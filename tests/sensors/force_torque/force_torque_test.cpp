@@ -10,7 +10,7 @@
 #include "sensors/force_torque/made_sensor.hpp"
 #include "sensors/played_task.hpp"
 
-namespace mrroc {
+namespace mrroc::force_torque_test {
 namespace {
 
 const std::string kHeader =
@@ -57,6 +57,24 @@ TEST_F(ForceTorqueTest, ForceAlongUsesOneDirectionOnly) {
   EXPECT_EQ(outcome.end_tick, 30U);
 }
 
+TEST_F(ForceTorqueTest, ConfigurationsAreRefusedWithTheirReason) {
+  play("0 -1 -2 -3 -4 -5 -6\n");
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(wrist().configure(LowPassAt{-1}), NonFatalError);
+  EXPECT_THROW(wrist().configure(LowPassAt{251}), NonFatalError) << "half the servo rate is 250 Hz";
+  EXPECT_THROW(wrist().configure(LowPassAt{nan}), NonFatalError);
+  EXPECT_THROW(wrist().configure(Carrying{-1, Eigen::Vector3d::Zero()}), NonFatalError);
+  EXPECT_THROW(wrist().configure(Carrying{1, {nan, 0, 0}}), NonFatalError);
+  EXPECT_THROW(wrist().configure(Carrying{1, Eigen::Vector3d::Zero()}), NonFatalError) << "it follows no robot";
+  EXPECT_EQ(wrist().configuration(), 0U);
+  wrist().configure(Carrying{0, Eigen::Vector3d::Zero()});
+  wrist().configure(LowPassAt{5});
+  EXPECT_EQ(wrist().configuration(), 2U);
+  Wait({}, {wrist()}, ForceAbove{wrist(), 0});
+  EXPECT_EQ(wrist().wrench(), (Wrench{{1, 2, 3, 4, 5, 6}}));
+  EXPECT_EQ(wrist().reading().configuration, 2U);
+}
+
 TEST_F(ForceTorqueTest, ForceIsZeroAfterABias) {
   play("0 0 0 -5.89 0 0 0\n 40 0 0 6.11 0 0 0\n");
   wrist().bias();
@@ -97,4 +115,4 @@ TEST_F(ForceTorqueTest, ConditionsRefuseInvalidForcesAndDirections) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::force_torque_test

@@ -11,7 +11,7 @@
 #include "sensors/force_torque/made_sensor.hpp"
 #include "sensors/played_task.hpp"
 
-namespace mrroc {
+namespace mrroc::frame_test {
 namespace {
 
 Eigen::Vector3d any_vector() {
@@ -94,4 +94,4 @@ TEST(ForceTorqueFrame, WeightIsCompensatedWithAnyToolAndAnyMount) {
 }
 
 }  // namespace
-}  // namespace mrroc
+}  // namespace mrroc::frame_test

@@ -10,7 +10,7 @@
 #include "sensors/force_torque/made_sensor.hpp"
 #include "sensors/force_torque/simulated_gauges.hpp"
 
-namespace mrroc::vsp {
+namespace mrroc::vsp::gauges_test {
 namespace {
 
 /// A calibration of the usual pattern of three beams.
@@ -161,4 +161,4 @@ TEST(Gauges, RefusesAnInvalidMatrix) {
 }
 
 }  // namespace
-}  // namespace mrroc::vsp
+}  // namespace mrroc::vsp::gauges_test

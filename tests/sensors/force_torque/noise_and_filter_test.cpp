@@ -5,7 +5,7 @@
 
 #include "sensors/force_torque/made_sensor.hpp"
 
-namespace mrroc::vsp {
+namespace mrroc::vsp::noise_and_filter_test {
 namespace {
 
 Wrench force_z(double newtons) { return Wrench{{0, 0, newtons, 0, 0, 0}}; }
@@ -90,4 +90,4 @@ TEST(ForceTorqueFilter, IsOffByDefault) {
 }
 
 }  // namespace
-}  // namespace mrroc::vsp
+}  // namespace mrroc::vsp::noise_and_filter_test

@@ -7,7 +7,7 @@
 
 #include "sensors/force_torque/made_sensor.hpp"
 
-namespace mrroc::vsp {
+namespace mrroc::vsp::sign_test {
 namespace {
 
 /// A hand on a vertical slide; site "wrist" points its z axis down, the tool of 0.6 kg ends in a ball that is 0.05 m
@@ -96,4 +96,4 @@ TEST(ForceTorqueSign, EqualWithTheToolsMassInsteadOfABias) {
 }
 
 }  // namespace
-}  // namespace mrroc::vsp
+}  // namespace mrroc::vsp::sign_test

@@ -6,7 +6,7 @@
 #include "geometry/rigid_motion.hpp"
 #include "sensors/force_torque/made_sensor.hpp"
 
-namespace mrroc::vsp {
+namespace mrroc::vsp::wrist_sensor_test {
 namespace {
 
 constexpr const char* kGauges = "# mrroc readings gauge_0 gauge_1 gauge_2 gauge_3 gauge_4 gauge_5\n";
@@ -24,6 +24,7 @@ class Wrist {
     entry_.wrench_library = MRROC_BINARY_DIR "/lib/mrroc/sensors/force_torque.so";
     sensor_.emplace(edp::load_wrench_source(entry_), SourceContext{deployment_, entry_, 0, nullptr, kServoPeriod});
   }
+  void carry(const Load& load) { sensor_->carry(load); }
   edp::WrenchReading read(Tick tick, const Pose& flange) { return sensor_->read(tick, &flange); }
 
  private:
@@ -38,6 +39,15 @@ TEST(ForceTorqueInTheEdp, UsesTheCalibrationToo) {
   const edp::WrenchReading reading = wrist.read(0, Pose::Identity());
   EXPECT_EQ(reading.error, ErrorCode::none);
   EXPECT_EQ(reading.wrench, (Wrench{{10, 20, 30, 4, 5, 6}}));
+}
+
+TEST(ForceTorqueInTheEdp, LearnsTheLoadWithoutATool) {
+  // the flange points down: 1 kg pulls along its +z
+  Wrist wrist{kCalibration, "0 0 0 0.981 0 -0.981 0\n"};
+  const Pose down = pose_from_rpy({0.5, 0, 0.5}, {3.14159265358979323846, 0, 0});
+  EXPECT_NEAR(wrist.read(0, down).wrench[2], 9.81, 1e-9);
+  wrist.carry({1.0, {0.1, 0, 0}});
+  EXPECT_LT(wrist.read(0, down).wrench.norm(), 1e-9);
 }
 
 TEST(ForceTorqueInTheEdp, SaturatedGaugeMakesBothWrenchesErrors) {
@@ -74,4 +84,4 @@ TEST(ForceTorqueInTheEdp, AnotherLibraryIsRefused) {
 }
 
 }  // namespace
-}  // namespace mrroc::vsp
+}  // namespace mrroc::vsp::wrist_sensor_test

@@ -36,6 +36,32 @@ TEST_F(InfraredTest, DetectsNothingBeforeTheFirstReading) {
   EXPECT_FALSE(eye().presence());
 }
 
+TEST_F(InfraredTest, ConfiguredPresenceAndRangeHoldFromTheNextReadingOn) {
+  play("0 0.25\n");
+  Wait({}, {eye()}, Presence{eye()});
+  eye().configure(PresenceAt{0.2, 0.01});
+  Wait({}, {eye()}, Nearer{eye(), 0.5});
+  EXPECT_FALSE(eye().presence());
+  eye().configure(InfraredRange{0.12, 0.24});
+  EXPECT_EQ(eye().configuration(), 2U);
+  Wait({}, {eye()}, !Nearer{eye(), 0.5});
+  EXPECT_FALSE(eye().detected());
+  EXPECT_EQ(eye().distance(), 0.24);
+}
+
+TEST_F(InfraredTest, RefusedConfigurationsChangeNothing) {
+  play("0 0.25\n");
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const PresenceAt& presence :
+       {PresenceAt{0.05, 0}, PresenceAt{0.7, 0.2}, PresenceAt{nan, 0}, PresenceAt{0.3, -1}})
+    EXPECT_THROW(eye().configure(presence), NonFatalError) << presence.distance;
+  for (const InfraredRange& range : {InfraredRange{0.05, 0.5}, InfraredRange{0.2, 0.9}, InfraredRange{0.31, 0.5},
+                                     InfraredRange{0.1, 0.31}, InfraredRange{nan, 0.5}})
+    EXPECT_THROW(eye().configure(range), NonFatalError) << range.nearest << " " << range.farthest;
+  EXPECT_EQ(eye().configuration(), 0U);
+  Wait({}, {eye()}, Presence{eye()});
+}
+
 TEST_F(InfraredTest, WaitsForPresenceAndItsEnd) {
   play("0 -1\n 40 0.25\n 45 0.31\n 90 0.33\n");
   EXPECT_EQ(Wait({}, {eye()}, Presence{eye()}).end_tick, 40U);

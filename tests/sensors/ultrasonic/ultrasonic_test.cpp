@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 
+#include "mrroc/conditions/elapsed_time.hpp"
 #include "mrroc/errors.hpp"
 #include "mrroc/move.hpp"
 #include "sensors/played_task.hpp"
@@ -60,6 +61,43 @@ TEST_F(UltrasonicTest, TargetInTheDeadZoneEndsTheWaitWithAnError) {
 TEST_F(UltrasonicTest, CannotBeBiased) {
   play("0 1\n", 0);
   EXPECT_THROW(gate().bias(), NonFatalError);
+}
+
+TEST_F(UltrasonicTest, ConfiguredRangeHoldsFromTheNextReadingOn) {
+  play("0 1.5\n 20 0.3\n", 0);
+  Wait({}, {gate()}, Closer{gate(), 10});
+  EXPECT_EQ(gate().distance(), 1.5);
+  gate().configure(UltrasonicRange{0.1, 1.0});
+  EXPECT_TRUE(std::isnan(gate().distance())) << "the reading of the configuration before is not kept";
+  EXPECT_EQ(gate().configuration(), 1U);
+  Wait({}, {gate()}, Closer{gate(), 0.5});
+  EXPECT_EQ(gate().distance(), 0.3);
+  EXPECT_EQ(gate().reading().configuration, 1U);
+  gate().configure(UltrasonicRange{0.5, 1.0});
+  EXPECT_THROW(Wait({}, {gate()}, Closer{gate(), 0.5}), NonFatalError) << "nearer than the nearest";
+}
+
+TEST_F(UltrasonicTest, RefusedRangeChangesNothing) {
+  play("0 1.5\n", 0);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const UltrasonicRange& range : {UltrasonicRange{0.1, 5.0}, UltrasonicRange{0.001, 1.0},
+                                       UltrasonicRange{1.0, 0.5}, UltrasonicRange{nan, 1}, UltrasonicRange{0.1, nan}})
+    EXPECT_THROW(gate().configure(range), NonFatalError) << range.nearest << " " << range.farthest;
+  EXPECT_EQ(gate().configuration(), 0U);
+  Wait({}, {gate()}, Closer{gate(), 2});
+  EXPECT_EQ(gate().distance(), 1.5);
+}
+
+TEST_F(UltrasonicTest, PublishedReadingOfTheOldConfigurationIsNotTaken) {
+  play("0 0.9\n", 25);
+  Wait({}, {gate()}, Closer{gate(), 1});
+  ASSERT_EQ(gate().reading().tick, 0U);
+  gate().configure(UltrasonicRange{0.1, 0.5});
+  EXPECT_TRUE(std::isnan(gate().distance()));
+  Wait({}, {gate()}, ElapsedTime{gate().task(), 0.2});
+  EXPECT_EQ(gate().reading().configuration, 1U);
+  EXPECT_FALSE(gate().detected());
+  EXPECT_EQ(gate().distance(), 0.5) << "beyond the configured range";
 }
 
 TEST_F(UltrasonicTest, CloserRefusesInvalidDistances) {

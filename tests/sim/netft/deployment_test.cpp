@@ -1,28 +1,15 @@
 #include <gtest/gtest.h>
-#include <netinet/in.h>
-#include <sys/socket.h>
-#include <unistd.h>
 
 #include <fstream>
 #include <iterator>
 #include <string>
 
+#include "free_port.hpp"
 #include "mrroc/testing/scratch_folder.hpp"
 #include "system/mrroc_run.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::deployment_test {
 namespace {
-
-/// A port that was free a moment ago, of this kind of socket.
-int free_port(int kind) {
-  const int socket = ::socket(AF_INET, kind, 0);
-  sockaddr_in address{AF_INET, 0, {htonl(INADDR_LOOPBACK)}, {}};
-  socklen_t size = sizeof address;
-  EXPECT_EQ(::bind(socket, reinterpret_cast<sockaddr*>(&address), size), 0);
-  EXPECT_EQ(::getsockname(socket, reinterpret_cast<sockaddr*>(&address), &size), 0);
-  ::close(socket);
-  return ntohs(address.sin_port);
-}
 
 /// The task `press` whose wrist is a Net F/T, with these keys.
 std::string press_with(const std::string& keys) {
@@ -38,20 +25,19 @@ std::string press_with(const std::string& keys) {
 TEST(NetftDeployment, PressSucceedsWithASimulatedNetFt) {
   const ScratchFolder folder;
   const auto file = folder.write("press.toml", press_with("address = \"127.0.0.1\", simulated = true, port = " +
-                                                          std::to_string(free_port(SOCK_DGRAM)) +
-                                                          ", http_port = " + std::to_string(free_port(SOCK_STREAM))));
+                                                          free_port(SOCK_DGRAM) + ", http_port = " + free_port()));
   MrrocRun run({"run", file.string(), "--quiet", "--black-box", ""});
   EXPECT_EQ(run.wait(), 0) << run.out() << run.err();
 }
 
 TEST(NetftDeployment, ASensorThatIsNotThereIsNamed) {
   const ScratchFolder folder;
-  const auto file = folder.write("press.toml", press_with("address = \"127.0.0.1\", start_timeout = 0.2, http_port = " +
-                                                          std::to_string(free_port(SOCK_STREAM))));
+  const auto file = folder.write(
+      "press.toml", press_with("address = \"127.0.0.1\", start_timeout = 0.2, http_port = " + free_port()));
   MrrocRun run({"run", file.string(), "--quiet", "--black-box", ""});
   EXPECT_NE(run.wait(), 0);
   EXPECT_NE(run.err().find("127.0.0.1"), std::string::npos) << run.err();
 }
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::deployment_test

@@ -9,7 +9,7 @@
 #include "mrroc/errors.hpp"
 #include "sim/netft/netft_process.hpp"
 
-namespace mrroc::sim {
+namespace mrroc::sim::netft_server_test {
 namespace {
 
 NetftSettings free_ports() {
@@ -69,4 +69,4 @@ TEST(SimulatedNetft, ProcessIsNamedAfterItsSensor) {
 }
 
 }  // namespace
-}  // namespace mrroc::sim
+}  // namespace mrroc::sim::netft_server_test

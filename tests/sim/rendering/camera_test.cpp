@@ -13,7 +13,7 @@
 #include "sim/simulation.hpp"
 #include "sim/worlds.hpp"
 
-namespace mrroc::sim {
+namespace mrroc::sim::camera_test {
 namespace {
 
 using config::message_of;
@@ -157,4 +157,4 @@ TEST_F(RenderProgram, ReportsErrors) {
 }
 
 }  // namespace
-}  // namespace mrroc::sim
+}  // namespace mrroc::sim::camera_test

@@ -6,7 +6,7 @@
 
 #include "sim/worlds.hpp"
 
-namespace mrroc::sim {
+namespace mrroc::sim::broken_scenes_test {
 namespace {
 
 using config::message_of;
@@ -160,4 +160,4 @@ TEST(BrokenRobot, NamesTheRobotsFileAndItsLine) {
 }
 
 }  // namespace
-}  // namespace mrroc::sim
+}  // namespace mrroc::sim::broken_scenes_test

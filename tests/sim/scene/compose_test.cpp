@@ -4,7 +4,7 @@
 
 #include "sim/worlds.hpp"
 
-namespace mrroc::sim {
+namespace mrroc::sim::compose_test {
 namespace {
 
 using config::message_of;
@@ -165,4 +165,4 @@ TEST(Compose, SceneryIsAddedOnlyToASceneWithoutIt) {
 }
 
 }  // namespace
-}  // namespace mrroc::sim
+}  // namespace mrroc::sim::compose_test

@@ -7,7 +7,7 @@
 #include "sim/world.hpp"
 #include "sim/worlds.hpp"
 
-namespace mrroc::sim {
+namespace mrroc::sim::joint_servo_test {
 namespace {
 
 using Kind = world::JointDrive::Kind;
@@ -132,4 +132,4 @@ TEST(JointServo, BrakesHoldWhateverTheSetPointIs) {
 }
 
 }  // namespace
-}  // namespace mrroc::sim
+}  // namespace mrroc::sim::joint_servo_test

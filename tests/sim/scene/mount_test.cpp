@@ -5,7 +5,7 @@
 #include "sim/simulation.hpp"
 #include "sim/worlds.hpp"
 
-namespace mrroc::sim {
+namespace mrroc::sim::mount_test {
 namespace {
 
 using config::message_of;
@@ -109,4 +109,4 @@ TEST(Mount, CarriersWristMeasuresTheWeightOfTheCarriedRobot) {
 }
 
 }  // namespace
-}  // namespace mrroc::sim
+}  // namespace mrroc::sim::mount_test

@@ -4,7 +4,7 @@
 #include "sim/world.hpp"
 #include "sim/worlds.hpp"
 
-namespace mrroc::sim {
+namespace mrroc::sim::terminals_test {
 namespace {
 
 /// Two slides: a valve on output 3, a heater on analogue output 1; inputs measure both.
@@ -69,4 +69,4 @@ TEST(ControllerWiring, OnIsOneWhenTheActuatorHasNoRange) {
 }
 
 }  // namespace
-}  // namespace mrroc::sim
+}  // namespace mrroc::sim::terminals_test

@@ -7,7 +7,7 @@
 #include "sim/world.hpp"
 #include "sim/worlds.hpp"
 
-namespace mrroc::sim {
+namespace mrroc::sim::weld_torques_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -63,4 +63,4 @@ TEST(WeldTorques, SensorMeasuresTheWeightAndItsTorqueThroughAWeld) {
 }
 
 }  // namespace
-}  // namespace mrroc::sim
+}  // namespace mrroc::sim::weld_torques_test

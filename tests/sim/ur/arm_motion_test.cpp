@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace mrroc::sim::ur {
+namespace mrroc::sim::ur::arm_motion_test {
 namespace {
 
 constexpr double kPeriod = 0.002, kBandwidth = 60;
@@ -111,4 +111,4 @@ TEST(ArmMotion, WithoutACommandTheArmIsHeld) {
 }
 
 }  // namespace
-}  // namespace mrroc::sim::ur
+}  // namespace mrroc::sim::ur::arm_motion_test

@@ -10,7 +10,7 @@
 #include "drivers/ur/control_script.hpp"
 #include "drivers/ur/robot_state.hpp"
 
-namespace mrroc::sim::ur {
+namespace mrroc::sim::ur::program_test {
 namespace {
 
 using mrroc::ur::ControlMode;
@@ -135,4 +135,4 @@ TEST(MakeProgram, RejectsTextsThatAreNoPrograms) {
 }
 
 }  // namespace
-}  // namespace mrroc::sim::ur
+}  // namespace mrroc::sim::ur::program_test

@@ -7,7 +7,7 @@
 #include "sim/ur/realtime_message.hpp"
 #include "sim/ur/robot_state_message.hpp"
 
-namespace mrroc::sim::ur {
+namespace mrroc::sim::ur::state_messages_test {
 namespace {
 
 using mrroc::ur::rtde::ControllerVersion;
@@ -56,4 +56,4 @@ INSTANTIATE_TEST_SUITE_P(StateMessages, OfEachVersion,
                                          Version{{5, 4, 0, 0}, 1116, 47}, Version{{5, 11, 0, 0}, 1220, 47}));
 
 }  // namespace
-}  // namespace mrroc::sim::ur
+}  // namespace mrroc::sim::ur::state_messages_test

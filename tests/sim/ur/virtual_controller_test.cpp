@@ -6,7 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace mrroc::sim::ur {
+namespace mrroc::sim::ur::virtual_controller_test {
 namespace {
 
 using mrroc::ur::rtde::FieldType;
@@ -174,4 +174,4 @@ TEST(VirtualController, ARestartBootsWithoutPower) {
 }
 
 }  // namespace
-}  // namespace mrroc::sim::ur
+}  // namespace mrroc::sim::ur::virtual_controller_test

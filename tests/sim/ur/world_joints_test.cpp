@@ -11,7 +11,7 @@
 #include "sim/simulation.hpp"
 #include "sim/worlds.hpp"
 
-namespace mrroc::sim::ur {
+namespace mrroc::sim::ur::world_joints_test {
 namespace {
 
 constexpr double kTime = 0.002;
@@ -167,4 +167,4 @@ TEST(WorldJoints, RejectsInvalidArguments) {
 }
 
 }  // namespace
-}  // namespace mrroc::sim::ur
+}  // namespace mrroc::sim::ur::world_joints_test

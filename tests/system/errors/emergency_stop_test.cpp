@@ -9,7 +9,7 @@
 #include "system/keyboard.hpp"
 #include "system/mrroc_run.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::emergency_stop_test {
 namespace {
 
 std::string deployment(const std::string& name, const std::string& clock, const std::string& rest) {
@@ -91,4 +91,4 @@ TEST(EmergencyStop, InputThatIsNotInTheSceneIsNamedBeforeAnyMotion) {
 }
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::emergency_stop_test

@@ -3,7 +3,7 @@
 #include "mrroc/testing.hpp"
 #include "system/mrroc_run.hpp"
 
-namespace mrroc::task_test {
+namespace mrroc::task_test::fault_injection_test {
 namespace {
 
 /// tasks/press with faults, as in a user's test.
@@ -172,4 +172,4 @@ TEST_F(FaultInjection, InvalidFaultIsRefusedBeforeAnythingIsStarted) {
 }
 
 }  // namespace
-}  // namespace mrroc::task_test
+}  // namespace mrroc::task_test::fault_injection_test

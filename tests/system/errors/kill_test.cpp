@@ -12,7 +12,7 @@
 #include "repetitions.hpp"
 #include "system/mrroc_run.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::kill_test {
 namespace {
 
 constexpr int kSystem = 4;
@@ -130,4 +130,4 @@ INSTANTIATE_TEST_SUITE_P(Clocks, KillRunner, testing::Values("paced", "real"),
                          [](const auto& test) { return std::string{test.param}; });
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::kill_test

@@ -6,7 +6,7 @@
 
 #include "system/mrroc_run.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::late_objects_test {
 namespace {
 
 constexpr int kDone = 0, kTask = 1;
@@ -78,4 +78,4 @@ INSTANTIATE_TEST_SUITE_P(Works, LateObjects,
                          name_of);
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::late_objects_test

@@ -7,7 +7,7 @@
 #include "system/mrroc_run.hpp"
 #include "system/trace_line.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::nested_errors_test {
 namespace {
 
 const std::string kBelt =
@@ -117,4 +117,4 @@ TEST(BlackBoxOption, EmptyFolderDisablesItAndAnInvalidFolderIsReported) {
 }
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::nested_errors_test

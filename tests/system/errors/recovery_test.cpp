@@ -6,7 +6,7 @@
 #include "system/block_scene.hpp"
 #include "system/mrroc_run.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::recovery_test {
 namespace {
 
 std::string deployment(const std::string& name) {
@@ -56,4 +56,4 @@ TEST(Recovery, AFaultThatNobodyCatchesEndsTheRunAndIsInTheBlackBox) {
 }
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::recovery_test

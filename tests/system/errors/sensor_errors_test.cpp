@@ -6,7 +6,7 @@
 
 #include "system/mrroc_run.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::sensor_errors_test {
 namespace {
 
 struct Failure {
@@ -65,4 +65,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const testing::TestParamInfo<Failure>& failure) { return std::string(failure.param.name); });
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::sensor_errors_test

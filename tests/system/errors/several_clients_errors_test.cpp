@@ -8,7 +8,7 @@
 #include "system/mrroc_run.hpp"
 #include "system/trace_line.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::several_clients_errors_test {
 namespace {
 
 /// A sensor without valid readings from tick 150 on.
@@ -96,4 +96,4 @@ INSTANTIATE_TEST_SUITE_P(Clocks, KilledSensor,
                          });
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::several_clients_errors_test

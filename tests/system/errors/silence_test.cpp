@@ -1,7 +1,5 @@
 #include <gtest/gtest.h>
 #include <signal.h>
-#include <sys/ptrace.h>
-#include <sys/wait.h>
 
 #include <algorithm>
 #include <chrono>
@@ -13,9 +11,10 @@
 #include <vector>
 
 #include "mrroc/testing/motion.hpp"
+#include "system/held_threads.hpp"
 #include "system/mrroc_run.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::silence_test {
 namespace {
 
 using namespace std::string_literals;
@@ -48,34 +47,6 @@ INSTANTIATE_TEST_SUITE_P(Clocks, Silence,
                            return std::string{std::get<0>(test.param)} + "_" + std::get<1>(test.param);
                          });
 
-/// Holds every thread of a process until its own destruction, like a debugger at a breakpoint: no process is notified,
-/// no signal is sent.
-class Debugger {
- public:
-  explicit Debugger(pid_t pid) {
-    for (const auto& thread : std::filesystem::directory_iterator("/proc/" + std::to_string(pid) + "/task")) {
-      const pid_t id = std::stoi(thread.path().filename());
-      if (ptrace(PTRACE_SEIZE, id, nullptr, nullptr) != 0) continue;  // the thread ends
-      threads_.push_back(id);
-      EXPECT_EQ(ptrace(PTRACE_INTERRUPT, id, nullptr, nullptr), 0);
-    }
-    int status = 0;
-    for (const pid_t id : threads_) waitpid(id, &status, __WALL);
-  }
-  ~Debugger() {
-    // the first thread is reaped last, by the parent
-    for (auto id = threads_.rbegin(); id != threads_.rend(); ++id)
-      if (ptrace(PTRACE_DETACH, *id, nullptr, nullptr) != 0) waitpid(*id, nullptr, __WALL);
-  }
-  Debugger(const Debugger&) = delete;
-  Debugger& operator=(const Debugger&) = delete;
-
-  std::size_t threads() const { return threads_.size(); }
-
- private:
-  std::vector<pid_t> threads_;
-};
-
 class Breakpoint : public testing::TestWithParam<const char*> {};
 
 TEST_P(Breakpoint, ProcessHeldByDebuggerIsReportedSilent) {
@@ -84,8 +55,8 @@ TEST_P(Breakpoint, ProcessHeldByDebuggerIsReportedSilent) {
   ASSERT_TRUE(run.wait_for_output("never")) << run.out() << run.err();
   const std::vector<pid_t> pids = run.children();
   {
-    const Debugger debugger(run.child("mp"));
-    EXPECT_GT(debugger.threads(), 1U);
+    const HeldThreads debugger(run.child("mp"));
+    EXPECT_GT(debugger.count(), 1U);
     EXPECT_EQ(run.wait(), kSystem) << run.out() << run.err();
     EXPECT_NE(run.out().find("process mp is killed, but a debugger"), std::string::npos) << run.out();
   }
@@ -157,8 +128,8 @@ TEST_F(Runner, StoppedAndKilledRunnerLeavesNothing) {
 TEST_F(Runner, RunnerHeldByDebuggerForSecondsContinues) {
   ASSERT_NO_FATAL_FAILURE(await_motion());
   {
-    const Debugger debugger(run_.pid());
-    EXPECT_GT(debugger.threads(), 1U);
+    const HeldThreads debugger(run_.pid());
+    EXPECT_GT(debugger.count(), 1U);
     std::this_thread::sleep_for(std::chrono::seconds(7));
   }
   EXPECT_EQ(run_.wait(), 0) << run_.out() << run_.err();
@@ -196,4 +167,4 @@ TEST(ZeroTimeLoop, IsAnErrorThatNamesThoseInIt) {
 }
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::silence_test

@@ -12,7 +12,7 @@
 
 #include "system/mrroc_run.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::supervision_test {
 namespace {
 
 constexpr int kUsage = 2, kSystem = 4;
@@ -162,4 +162,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test) { return "Program" + std::to_string(test.index); });
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::supervision_test

@@ -7,7 +7,7 @@
 #include "robots/common/changed_file.hpp"
 #include "system/mrroc_run.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::wrong_input_test {
 namespace {
 
 constexpr int kTaskFailed = 1;
@@ -209,4 +209,4 @@ TEST(WrongInput, EcpThatRequestsAMissingSensorIsRefused) {
 }
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::wrong_input_test

@@ -5,7 +5,7 @@
 
 #include "system/mrroc_run.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::wrong_task_test {
 namespace {
 
 /// The error in the task (tests/system/programs/faulty.cpp), the exit code, and the reason on stderr.
@@ -74,4 +74,4 @@ INSTANTIATE_TEST_SUITE_P(Caught, WrongTask, testing::Values(Fault{"caught", kNon
                          [](const auto& test) { return std::string{test.param.kind}; });
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::wrong_task_test

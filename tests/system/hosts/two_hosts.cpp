@@ -64,6 +64,16 @@ MrrocRun& TwoHosts::start(const std::filesystem::path& deployment, const std::ve
   return run_.emplace(arguments);
 }
 
+MrrocRun& TwoHosts::start_until(const std::string& printed, const std::filesystem::path& deployment,
+                                const std::vector<std::string>& options) {
+  for (int more = with_keys() ? 2 : 0; !start(deployment, options).wait_for_output(printed); --more) {
+    if (more > 0 && output().find("not ready within") != std::string::npos) continue;
+    ADD_FAILURE() << "'" << printed << "' is not printed: " << output();
+    break;
+  }
+  return *run_;
+}
+
 void TwoHosts::expect_end(int code, const std::vector<std::string>& causes, const std::vector<pid_t>& pids) {
   EXPECT_EQ(run_->wait(), code) << output();
   const auto reported = [this](const std::string& cause) { return run_->err().find(cause) != std::string::npos; };

@@ -44,6 +44,10 @@ class TwoHosts : public testing::Test {
   std::filesystem::path write(const std::string& text) const { return folder_.write("two.toml", text); }
   std::filesystem::path file(const std::string& name) const { return folder_.path() / name; }
   MrrocRun& start(const std::filesystem::path& deployment, const std::vector<std::string>& options = {});
+  /// Starts, and waits until this text is printed. With keys it starts up to three times: a busy host loses messages of
+  /// hand-shakes, and then some processes do not discover each other (docs/how-to/two-hosts.md).
+  MrrocRun& start_until(const std::string& printed, const std::filesystem::path& deployment,
+                        const std::vector<std::string>& options = {});
   std::string output() const { return run_->out() + run_->err(); }
 
   /// Checks that the run ends with this code, that its last output contains `cause`, or one of `causes`, and that no

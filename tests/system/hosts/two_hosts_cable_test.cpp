@@ -9,7 +9,7 @@
 #include "mrroc/testing/motion.hpp"
 #include "system/hosts/two_hosts.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::two_hosts_cable_test {
 namespace {
 
 using task_test::Motion;
@@ -53,9 +53,8 @@ TEST_P(TwoHostsWithOrWithoutKeys, ContinueOverABadCable) {
   const CableFaults faults{.delay = 0.005, .jitter = 0.002, .loss = 0.02, .duplicate = 0.02, .reorder = 0.02};
   // with keys only after the start, which may fail when handshake messages are lost (docs/how-to/two-hosts.md)
   if (!GetParam()) cable_->set(faults);
-  MrrocRun& run =
-      start(write(hosts("two", "link_timeout = 2\nclock_error = 0.02\n", {}, press())), {"--trace", trace.string()});
-  ASSERT_TRUE(run.wait_for_output("running")) << output();
+  const auto deployment = write(hosts("two", "link_timeout = 2\nclock_error = 0.02\n", {}, press()));
+  MrrocRun& run = start_until("running", deployment, {"--trace", trace.string()});
   cable_->set(faults);
   EXPECT_EQ(run.wait(MrrocRun::kLongPatience), 0) << output();
   const Cable::Counts counts = cable_->counts();
@@ -89,16 +88,14 @@ TEST_F(TwoHostsWithKeys, StopAnArmThatItsOwnHostMoves) {
 }
 
 TEST_F(TwoHostsWithKeys, DropCorruptedFrames) {
-  MrrocRun& run = start(write(hosts("two", kPatientLink, {}, press())));
-  ASSERT_TRUE(run.wait_for_output("running")) << output();
+  MrrocRun& run = start_until("running", write(hosts("two", kPatientLink, {}, press())));
   cable_->set({.corrupt = 0.05});
   EXPECT_EQ(run.wait(), 0) << output();
   EXPECT_GT(cable_->counts().corrupted, 50U);
 }
 
 TEST_F(TwoHostsWithKeys, TolerateAShortCut) {
-  MrrocRun& run = start(write(hosts("two", kPatientLink, {}, press())));
-  ASSERT_TRUE(run.wait_for_output("JointLine")) << output();
+  MrrocRun& run = start_until("JointLine", write(hosts("two", kPatientLink, {}, press())));
   cable_->set({.cut = true});
   pause_for(0.15);
   cable_->set({});
@@ -121,4 +118,4 @@ TEST_F(TwoHosts, StopARobotOnEitherSide) {
 }
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::two_hosts_cable_test

@@ -12,7 +12,7 @@
 #include "system/keyboard.hpp"
 #include "system/trace_line.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::two_hosts_ends_test {
 namespace {
 
 /// The ECP on that host ends because of it, and its last steps are transmitted.
@@ -138,4 +138,4 @@ TEST_F(TwoHosts, EndOnAnUncaughtEmergencyStop) {
 }
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::two_hosts_ends_test

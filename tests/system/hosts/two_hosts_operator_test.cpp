@@ -14,7 +14,7 @@
 #include "cli/operator/socket/run_connection.hpp"
 #include "system/hosts/two_hosts.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::two_hosts_operator_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -145,4 +145,4 @@ TEST_F(TwoHostsOperated, OrdersAreRefusedWithTheReasonOfTheOtherHost) {
 }
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::two_hosts_operator_test

@@ -16,7 +16,7 @@
 #include "system/hosts/two_hosts.hpp"
 #include "system/mrroc_run.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::two_hosts_ssh_test {
 namespace {
 
 void sh(const std::string& line) {
@@ -191,4 +191,4 @@ TEST_F(TwoHostsOverSsh, ReportAnUnreachableHost) {
 }
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::two_hosts_ssh_test

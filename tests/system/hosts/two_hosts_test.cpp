@@ -9,14 +9,14 @@
 #include <string>
 #include <vector>
 
-namespace mrroc::test {
+namespace mrroc::test::two_hosts_test {
 namespace {
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 TEST_F(TwoHostsWithKeys, RunATaskTogether) {
   const auto trace = file("press.trace");
-  start(write(hosts("two", kPatientLink, {}, press())), {"--trace", trace.string()});
+  start_until("running", write(hosts("two", kPatientLink, {}, press())), {"--trace", trace.string()});
   EXPECT_EQ(run_->wait(), 0) << output();
   EXPECT_TRUE(contains(run_->out(), "two succeeded")) << output();
   EXPECT_TRUE(contains(run_->out(), "clock known to")) << output();
@@ -164,4 +164,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test) { return std::string{test.param.name}; });
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::two_hosts_test

@@ -14,6 +14,7 @@ namespace {
 class BusFault : public ecp::Task {
   static constexpr int kLines = 6;   // 10 s
   static constexpr int kTries = 20;  // each failing one takes up to 2 s
+  static constexpr Tick kBetweenTries = 50;
   Irb6 arm{*this};
 
   void go(double height) { Move({arm}, {}, JointLine{arm, Irb6::tool_down(0.75, 0, height)}); }
@@ -25,6 +26,7 @@ class BusFault : public ecp::Task {
       return true;
     } catch (const HardwareError& error) {
       std::printf("not yet: %s\n", error.what());
+      sleep_until(tick() + kBetweenTries);
       return false;
     }
   }

@@ -9,7 +9,7 @@ using namespace mrroc;
 
 namespace {
 
-class Superior : public mp::Task {
+class SuperiorTask : public mp::Task {
   Conveyor own{*this, "own"};
   Conveyor steady{*this, "steady"};
 
@@ -39,4 +39,4 @@ class Superior : public mp::Task {
 
 }  // namespace
 
-MRROC_MP(Superior)
+MRROC_MP(SuperiorTask)

@@ -10,7 +10,7 @@
 #include "system/trace_line.hpp"
 #include "text_of.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::arm_test {
 namespace {
 
 const std::filesystem::path kShare = std::filesystem::path(MRROC_SOURCE_DIR) / "tests/robots/arm/share";
@@ -84,4 +84,4 @@ TEST(ArmTask, PressesWithTheForceOfItsTask) {
 }
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::arm_test

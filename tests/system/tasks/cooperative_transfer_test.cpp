@@ -6,7 +6,7 @@
 #include "cooperative_transfer/report/variant.hpp"
 #include "system/equal_runs.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::cooperative_transfer_test {
 namespace {
 
 using transfer::Report;
@@ -53,10 +53,24 @@ TEST(CooperativeTransferTask, ContinuesAfterAPauseDuringTheTransfer) {
   EXPECT_LT(report.worst_internal(), 15);
 }
 
+TEST(CooperativeTransferTask, ContinuesAfterLateCommandsDuringTheTransfer) {
+  const ScratchFolder folder;
+  const auto trace = folder.path() / "trace";
+  for (const char* what : {"delay mp by 25 at tick 3500 for 10 ticks", "delay mp by 40 at tick 5000 for 10 ticks"}) {
+    auto arguments = run_of(write_variant(Variant{}, folder.path()), trace);
+    arguments.insert(arguments.end(), {"--inject", what});
+    const std::string out = run_mrroc(arguments, 0);
+    const Report report = transfer::read_report(trace);
+    EXPECT_TRUE(report.complete) << what << "\n" << out;
+    EXPECT_LT(report.worst_internal(), 25) << what;
+    expect_laws(trace);
+  }
+}
+
 TEST(CooperativeTransferTask, AllRunsAreEqualBitForBit) {
   const ScratchFolder folder;
   expect_equal_runs("tasks/cooperative_transfer/cooperative_transfer.toml", folder, MrrocRun::kLongPatience);
 }
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::cooperative_transfer_test

@@ -7,7 +7,7 @@
 #include "system/equal_runs.hpp"
 #include "system/trace_line.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::draw_test {
 namespace {
 
 using Place = std::array<double, 3>;
@@ -80,4 +80,4 @@ TEST(Draw, EveryStrokeIsOnItsPathInEveryRun) {
 }
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::draw_test

@@ -7,7 +7,7 @@
 #include "system/trace_line.hpp"
 #include "text_of.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::follow_test {
 namespace {
 
 constexpr const char* kDeployment = "tasks/follow/follow.toml";
@@ -69,4 +69,4 @@ TEST(Follow, AForceLimitStopsTheArmAndTheTaskSaysWhy) {
 }
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::follow_test

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "config/deployment.hpp"
+#include "replace.hpp"
 #include "sim/scene/model.hpp"
 #include "sim/simulation.hpp"
 #include "sim/state_file.hpp"
@@ -13,7 +14,7 @@
 #include "system/trace_line.hpp"
 #include "text_of.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::hand_over_test {
 namespace {
 
 const std::filesystem::path kTask = std::filesystem::path(MRROC_SOURCE_DIR) / "tasks/hand_over";
@@ -22,12 +23,6 @@ constexpr int kBars = 3;
 constexpr double kFelt = 6.0;          // N, of arm.cpp
 constexpr double kWidth = 0.060;       // m, of a bar
 constexpr double kTolerance = 0.0015;  // m
-
-void replace(std::string& text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  ASSERT_NE(at, std::string::npos) << from;
-  text.replace(at, from.size(), to);
-}
 
 /// The task's deployment for a file in another folder.
 std::string deployment() {
@@ -183,4 +178,4 @@ TEST(ServoChannel, LaterPullIsDetectedLater) {
 }
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::hand_over_test

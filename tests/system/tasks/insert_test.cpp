@@ -8,7 +8,7 @@
 #include "system/trace_line.hpp"
 #include "text_of.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::insert_test {
 namespace {
 
 constexpr const char* kDeployment = "tasks/insert/insert.toml";
@@ -77,4 +77,4 @@ TEST(Insert, TaskReportsAMissingHole) {
 }
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::insert_test

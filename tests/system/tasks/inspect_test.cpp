@@ -8,7 +8,7 @@
 #include "system/trace_line.hpp"
 #include "text_of.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::inspect_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -71,4 +71,4 @@ TEST(Inspect, TaskReportsAMissingPlate) {
 }
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::inspect_test

@@ -8,7 +8,7 @@
 #include "system/trace_line.hpp"
 #include "text_of.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::polish_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -89,4 +89,4 @@ TEST(Polish, TaskReportsAMissingWorkpiece) {
 }
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::polish_test

@@ -3,7 +3,7 @@
 #include "system/mrroc_run.hpp"
 #include "text_of.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::replay_test {
 namespace {
 
 constexpr const char* kDeployment = "tasks/press_replay/press_replay.toml";
@@ -23,4 +23,4 @@ TEST(Replay, LoopbackDrivesAndReplayedReadingsNeedNoSimulator) {
 TEST(Replay, RunsAlsoInRealTime) { run_mrroc({"run", kDeployment, "--quiet", "--clock", "real"}, 0); }
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::replay_test

@@ -6,7 +6,7 @@
 #include "system/equal_runs.hpp"
 #include "text_of.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::robots_test {
 namespace {
 
 const std::filesystem::path kRobots = std::filesystem::path(MRROC_SOURCE_DIR) / "robots";
@@ -90,4 +90,4 @@ TEST(Synchronisation, TaskFindsThePositionsChangesToolAndModelAndWorks) {
 }
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::robots_test

@@ -14,7 +14,7 @@
 #include "system/mrroc_run.hpp"
 #include "text_of.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::synchronisation_test {
 namespace {
 
 constexpr int kPatience = 1000;  // s: minutes of simulated time
@@ -108,4 +108,4 @@ INSTANTIATE_TEST_SUITE_P(Robots, WithoutSwitches, testing::Values("conveyor", "p
                          [](const auto& test) { return test.param; });
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::synchronisation_test

@@ -9,7 +9,7 @@
 #include "system/trace_line.hpp"
 #include "text_of.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::teach_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -112,4 +112,4 @@ TEST(Teach, ReleasedToolDoesNotMove) {
 }
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::teach_test

@@ -11,7 +11,7 @@
 #include "sim/state_file.hpp"
 #include "system/equal_runs.hpp"
 
-namespace mrroc::test {
+namespace mrroc::test::track_and_pick_test {
 namespace {
 
 constexpr const char* kDeployment = "tasks/track_and_pick/track_and_pick.toml";
@@ -58,4 +58,4 @@ TEST(TrackAndPick, PicksTwentyOfTwentyPartsFromABeltAt150MillimetresPerSecond) {
 }
 
 }  // namespace
-}  // namespace mrroc::test
+}  // namespace mrroc::test::track_and_pick_test

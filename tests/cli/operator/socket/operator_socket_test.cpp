@@ -19,7 +19,7 @@
 #include "cli/operator/socket/socket_folder.hpp"
 #include "mrroc/testing/scratch_folder.hpp"
 
-namespace mrroc::cli {
+namespace mrroc::cli::operator_socket_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -254,4 +254,4 @@ TEST_F(OperatorSocketTest, RunIsFoundByItsName) {
 }
 
 }  // namespace
-}  // namespace mrroc::cli
+}  // namespace mrroc::cli::operator_socket_test

@@ -15,7 +15,7 @@
 
 #include "process/answer_text.hpp"
 
-namespace mrroc::cli {
+namespace mrroc::cli::console_input_test {
 namespace {
 
 using process::read_answer;
@@ -210,4 +210,4 @@ TEST(TypedAnswer, AChoiceIsItsNameOrItsNumber) {
 }
 
 }  // namespace
-}  // namespace mrroc::cli
+}  // namespace mrroc::cli::console_input_test

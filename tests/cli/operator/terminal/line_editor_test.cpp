@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-namespace mrroc::cli {
+namespace mrroc::cli::line_editor_test {
 namespace {
 
 TEST(LineEditor, LinesEndWithReturnAndSpaceIsAKeyOnAnEmptyLine) {
@@ -57,4 +57,4 @@ TEST(LineEditor, AnyBytesGiveLinesWithoutControlCharacters) {
 }
 
 }  // namespace
-}  // namespace mrroc::cli
+}  // namespace mrroc::cli::line_editor_test

@@ -11,7 +11,7 @@
 #include "config/table.hpp"
 #include "mrroc/errors.hpp"
 
-namespace mrroc::cli {
+namespace mrroc::cli::operator_console_test {
 namespace {
 
 /// The console and the VSPs of two sensors, in one process.
@@ -267,4 +267,4 @@ TEST_F(OperatorConsoleTest, ProgramAsksLikeASensor) {
 }
 
 }  // namespace
-}  // namespace mrroc::cli
+}  // namespace mrroc::cli::operator_console_test

@@ -5,7 +5,7 @@
 
 #include "drivers/ur/rtde/protocol_error.hpp"
 
-namespace mrroc::ur::rtde {
+namespace mrroc::ur::rtde::messages_test {
 namespace {
 
 using Stream = std::vector<std::uint8_t>;
@@ -96,4 +96,4 @@ TEST(AcceptedRecipe, CountsFields) {
 }
 
 }  // namespace
-}  // namespace mrroc::ur::rtde
+}  // namespace mrroc::ur::rtde::messages_test

@@ -7,7 +7,7 @@
 
 #include "drivers/ur/rtde/protocol_error.hpp"
 
-namespace mrroc::ur::rtde {
+namespace mrroc::ur::rtde::packet_test {
 namespace {
 
 using Stream = std::vector<std::uint8_t>;
@@ -90,4 +90,4 @@ TEST(PacketBuffer, CarriesTheLongestPackage) {
 }
 
 }  // namespace
-}  // namespace mrroc::ur::rtde
+}  // namespace mrroc::ur::rtde::packet_test

@@ -6,7 +6,7 @@
 #include "allocations.hpp"
 #include "drivers/ur/rtde/packet.hpp"
 
-namespace mrroc::ur::rtde {
+namespace mrroc::ur::rtde::recipe_test {
 namespace {
 
 /// A value of any type, every bit pattern of its bytes.
@@ -123,4 +123,4 @@ TEST(NameList, MayEndWithAComma) {
 }
 
 }  // namespace
-}  // namespace mrroc::ur::rtde
+}  // namespace mrroc::ur::rtde::recipe_test

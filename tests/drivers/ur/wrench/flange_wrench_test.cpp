@@ -5,7 +5,7 @@
 
 #include <numbers>
 
-namespace mrroc::ur {
+namespace mrroc::ur::flange_wrench_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -75,4 +75,4 @@ TEST(FlangeWrench, ReadsItsFields) {
 }
 
 }  // namespace
-}  // namespace mrroc::ur
+}  // namespace mrroc::ur::flange_wrench_test

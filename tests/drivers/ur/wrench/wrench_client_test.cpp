@@ -8,7 +8,7 @@
 #include "clock/wall/monotonic.hpp"
 #include "drivers/ur/ur_rig.hpp"
 
-namespace mrroc::ur {
+namespace mrroc::ur::wrench_client_test {
 namespace {
 
 using testing::HasSubstr;
@@ -147,4 +147,4 @@ TEST(WrenchClient, TheNewestAllocatesNothing) {
 }
 
 }  // namespace
-}  // namespace mrroc::ur
+}  // namespace mrroc::ur::wrench_client_test

@@ -5,6 +5,7 @@
 
 #include "mrroc/condition.hpp"
 #include "mrroc/sensor.hpp"
+#include "mrroc/sensors/camera_configuration.hpp"
 #include "mrroc/types.hpp"
 
 namespace mrroc {
@@ -22,7 +23,8 @@ namespace mrroc {
 ///           x axis: rotations by 180 degrees are indistinguishable.
 ///   marker  position: its middle; x to the marker's right, y to its top, z out of it.
 ///
-/// Finding nothing is not an error: detected() is false, and the other values are NaN.
+/// What it finds, and where in the picture, a running task may change: `camera.configure(LookFor{7, 0.04})`
+/// (camera_configuration.hpp). Finding nothing is not an error: detected() is false, and the other values are NaN.
 class Camera : public Sensor {
  public:
   /// Throws NonFatalError when the deployment has no such sensor.

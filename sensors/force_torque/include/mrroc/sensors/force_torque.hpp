@@ -8,6 +8,23 @@
 
 namespace mrroc {
 
+/// Configuration of a force/torque sensor: the load that its tool carries besides the tool's own mass (the deployment's
+/// `tool_mass`), kg, and its centre of gravity in the sensor frame, m. Its weight is then no part of the reading. Mass
+/// 0: the tool is empty. Refused where the sensor does not follow the pose of its robot (keys `robot`, `tool_mass`).
+/// `Robot::carry` lets the robot's own force law and force limits learn it.
+struct Carrying {
+  double mass = 0;
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+};
+MRROC_MESSAGE(Carrying, mass, centre)
+
+/// Configuration of a force/torque sensor: the cut-off of its low-pass, Hz, 0 (none) to half the servo rate, in place
+/// of the deployment's `cutoff`. The filter begins with the next hardware reading.
+struct LowPassAt {
+  double cutoff = 0;
+};
+MRROC_MESSAGE(LowPassAt, cutoff)
+
 /// A force/torque sensor of the deployment, type `force_torque`. Its reading is the wrench that the environment exerts
 /// on the tool, in the axes of the sensor frame and about its origin, after bias: a tool whose z axis points down and
 /// which presses on a table has force().z() < 0. NaN before the first reading. Task's thread.

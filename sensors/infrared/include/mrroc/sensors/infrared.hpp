@@ -3,9 +3,26 @@
 #include <string>
 
 #include "mrroc/condition.hpp"
+#include "mrroc/message.hpp"
 #include "mrroc/sensor.hpp"
 
 namespace mrroc {
+
+/// Configuration of an infrared sensor: it sees what is between `nearest` and `farthest`, m, within the deployment's
+/// `dead_zone` and `max_range`, and around its presence.
+struct InfraredRange {
+  double nearest = 0;
+  double farthest = 0;
+};
+MRROC_MESSAGE(InfraredRange, nearest, farthest)
+
+/// Configuration of an infrared sensor: the presence output switches on at `distance`, m, and off beyond `distance` +
+/// `hysteresis`, in place of the deployment's `presence` and `hysteresis`. It is off until the next hardware reading.
+struct PresenceAt {
+  double distance = 0;
+  double hysteresis = 0;
+};
+MRROC_MESSAGE(PresenceAt, distance, hysteresis)
 
 /// An infrared range sensor of the deployment, type `infrared`: one narrow beam. Something nearer than its dead zone
 /// makes the reading an error, which Move and Wait throw (NonFatalError, sensor_out_of_range). Task's thread.

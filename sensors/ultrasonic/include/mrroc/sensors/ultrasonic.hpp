@@ -3,9 +3,18 @@
 #include <string>
 
 #include "mrroc/condition.hpp"
+#include "mrroc/message.hpp"
 #include "mrroc/sensor.hpp"
 
 namespace mrroc {
+
+/// Configuration of an ultrasonic sensor: it sees what is between `nearest` and `farthest`, m, within the deployment's
+/// `dead_zone` and `max_range`. Something nearer than `nearest` makes the reading an error, as in the dead zone.
+struct UltrasonicRange {
+  double nearest = 0;
+  double farthest = 0;
+};
+MRROC_MESSAGE(UltrasonicRange, nearest, farthest)
 
 /// An ultrasonic distance sensor of the deployment, type `ultrasonic`. Task's thread.
 class Ultrasonic : public Sensor {

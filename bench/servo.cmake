@@ -1,0 +1,1 @@
+mrroc_bench(servo_tick SOURCES servo_tick.cpp LINKS mrroc_edp mrroc_loopback_hardware mrroc_robot_irb6)

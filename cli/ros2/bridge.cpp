@@ -1,0 +1,159 @@
+#include "cli/ros2/bridge.hpp"
+
+#include <poll.h>
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
+
+#include "cli/record/standard_messages.hpp"
+#include "cli/ros2/event_numbers.hpp"
+#include "links/ros2/ros_names.hpp"
+
+namespace mrroc::cli {
+
+namespace {
+
+constexpr int kTurn = 10;                                   // ms between two looks for requests
+constexpr std::int64_t kDiagnosticsPeriod = 1'000'000'000;  // ns
+constexpr const char* kWorld = "world";
+
+/// ROS 2 compares stamps with the system's clock.
+std::int64_t system_ns() {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::system_clock::now().time_since_epoch())
+      .count();
+}
+
+ros2::NodeOptions options_of(const config::Ros2Entry& entry, const std::string& deployment) {
+  return {.domain = entry.domain.value_or(0),
+          .distro = entry.distro == "humble" ? ros2::Distro::humble : ros2::Distro::iron,
+          .node = "mrroc_" + ros2::ros_name(deployment),
+          .node_namespace = entry.name_space,
+          .interface = entry.interface};
+}
+
+}  // namespace
+
+Bridge::Bridge(const config::Ros2Entry& entry, const config::Deployment& deployment, bool simulated, RunConnection& run)
+    : run_(run),
+      name_space_(entry.name_space),
+      node_name_(ros2::in_namespace(name_space_, "mrroc_" + ros2::ros_name(deployment.name))),
+      node_(options_of(entry, deployment.name)),
+      stamps_(simulated, deployment.servo_period),
+      tf_(node_, "/tf"),
+      tf_static_(node_, "/tf_static", ros2::Durability::last),
+      diagnostics_(node_, "/diagnostics"),
+      rosout_(node_, "/rosout", ros2::Durability::log),
+      states_(deployment.name) {
+  if (simulated) clock_.emplace(node_, "/clock");
+  add_robots(deployment);
+  for (const config::SensorEntry& sensor : deployment.sensors)
+    if (sensor.gives_wrench)
+      wrenches_.try_emplace(sensor.name, node_,
+                            ros2::in_namespace(ros2::in_namespace(name_space_, sensor.name), "wrench"));
+  if (entry.commands) services_.emplace(node_, node_name_, [this](const std::string& line) { run_.send_line(line); });
+  node_.announce();
+}
+
+/// One robot has the names that a tool expects without any set-up; of several each has a namespace and a prefix.
+void Bridge::add_robots(const config::Deployment& deployment) {
+  const bool one = deployment.robots.size() == 1;
+  messages::tf2_msgs::TFMessage fixed;
+  for (const config::RobotEntry& robot : deployment.robots) {
+    const auto prefix = [one](const std::string& name) { return one ? "" : name + "/"; };
+    const std::string below = robot.mount.empty() ? kWorld : prefix(robot.mount) + record::tool_frame(robot.mount);
+    RobotFrames frames(robot, prefix(robot.name), below);
+    fixed.transforms.insert(fixed.transforms.end(), frames.fixed().begin(), frames.fixed().end());
+    const std::string space = one ? name_space_ : ros2::in_namespace(name_space_, robot.name);
+    robots_.try_emplace(robot.name, node_, robot, space, std::move(frames));
+  }
+  tf_static_.publish(fixed);
+}
+
+void Bridge::serve(int stop) {
+  run_.send_line(Json{{"verb", "echo"}, {"of", "all"}}.dump());
+  for (bool connected = true; connected;) {
+    pollfd entries[2]{{stop, POLLIN, 0}, {run_.descriptor(), POLLIN, 0}};
+    ::poll(entries, 2, kTurn);
+    if (entries[0].revents != 0) return;
+    std::vector<std::string> lines;
+    connected = run_.read_lines(lines);
+    for (const std::string& line : lines) take(line);
+    if (services_) services_->poll();
+    beat();
+  }
+  if (services_) services_->refuse_open();
+}
+
+void Bridge::take(const std::string& line) {
+  using messages::rcl_interfaces::Log;
+  const Json json = Json::parse(line, nullptr, false);
+  if (!json.is_object() || (services_ && services_->take(json))) return;
+  const std::string event = json.value("event", "");
+  if (event == "robot") {
+    take_robot(json);
+  } else if (event == "reading") {
+    take_reading(json);
+  } else if (event == "process") {
+    states_.take(json);
+  } else if (event == "message") {
+    log(Log::INFO, json.value("text", ""));
+  } else if (event == "question") {
+    log(Log::WARN, "question of " + json.value("from", "") + ": " + json.value("text", ""));
+  } else if (event == "end") {
+    const std::string reason = json.value("reason", "");
+    if (!reason.empty()) log(Log::ERROR, reason);
+  }
+}
+
+void Bridge::take_robot(const Json& event) {
+  const auto robot = robots_.find(event.value("name", ""));
+  if (robot == robots_.end()) return;
+  const Tick tick = event.value("tick", Tick{0});
+  newest_ = std::max(newest_.value_or(tick), tick);
+  robot->second.publish(event, stamps_.of(tick, system_ns()), frames_.transforms);
+  states_.take(event);
+}
+
+void Bridge::take_reading(const Json& event) {
+  const std::string name = event.value("name", "");
+  const auto wrench = wrenches_.find(name);
+  const auto values = event.find("values");
+  if (wrench == wrenches_.end() || values == event.end() || event.contains("error")) return;
+  std::array<double, 6> numbers{};
+  std::size_t count = 0;
+  for (const Json& value : *values)
+    if (count < numbers.size()) numbers[count++] = value.is_number() ? value.get<double>() : 0;
+  if (count == numbers.size())
+    wrench->second.publish(record::to_wrench(name, stamps_.of(event.value("tick", Tick{0}), system_ns()), numbers));
+}
+
+void Bridge::log(std::uint8_t level, const std::string& text) {
+  messages::rcl_interfaces::Log message;
+  message.stamp = stamps_.at(system_ns());
+  message.level = level;
+  message.name = node_name_.substr(1);
+  message.msg = text;
+  rosout_.publish(message);
+}
+
+void Bridge::beat() {
+  if (!frames_.transforms.empty()) {
+    tf_.publish(frames_);
+    frames_.transforms.clear();
+  }
+  const std::int64_t now = system_ns();
+  if (clock_ && newest_ != published_) {
+    messages::rosgraph_msgs::Clock message;
+    message.clock = stamps_.at(now);
+    clock_->publish(message);
+    published_ = newest_;
+  }
+  if (now >= next_diagnostics_) {
+    next_diagnostics_ = now + kDiagnosticsPeriod;
+    diagnostics_.publish(states_.message(stamps_.at(now)));
+  }
+}
+
+}  // namespace mrroc::cli

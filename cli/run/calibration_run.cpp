@@ -1,0 +1,140 @@
+#include "cli/run/calibration_run.hpp"
+
+#include <stdlib.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <stdexcept>
+
+#include "config/resources.hpp"
+#include "config/table.hpp"
+#include "config/text/calibration_text.hpp"
+#include "config/text/message_text.hpp"
+#include "config/text/toml_text.hpp"
+
+namespace mrroc::cli {
+
+namespace {
+
+using config::ConfigurationError;
+
+constexpr std::size_t kLongestPath = 255;  // of the behaviours' field `into`
+
+/// The device that the option names, or the only one.
+std::string chosen(const std::filesystem::path& file, const std::string& option, const std::string& given,
+                   const std::vector<std::string>& names, const std::string& what) {
+  const auto refuse = [&](const std::string& problem) {
+    throw ConfigurationError(file, 0, option, problem, config::alternatives(names));
+  };
+  if (names.empty()) throw ConfigurationError(file, 0, option, "the deployment has no " + what, "one");
+  if (given.empty() && names.size() > 1) refuse("the deployment has " + std::to_string(names.size()) + " of " + what);
+  if (!given.empty() && std::find(names.begin(), names.end(), given) == names.end())
+    refuse("no " + what + " " + config::in_quotes(given));
+  return given.empty() ? names.front() : given;
+}
+
+std::vector<std::string> suitable_sensors(const config::Deployment& deployment, const std::string& type,
+                                          const std::string& robot) {
+  std::vector<std::string> names;
+  for (const config::SensorEntry& sensor : deployment.sensors)
+    if (sensor.type == type && sensor.robot == robot) names.push_back(sensor.name);
+  return names;
+}
+
+/// Robots with a sensor of the type.
+std::vector<std::string> suitable_robots(const config::Deployment& deployment, const std::string& type) {
+  std::vector<std::string> names;
+  for (const config::RobotEntry& robot : deployment.robots)
+    if (!suitable_sensors(deployment, type, robot.name).empty()) names.push_back(robot.name);
+  return names;
+}
+
+std::filesystem::path checked_target(const config::Deployment& deployment, const std::filesystem::path& into) {
+  const auto refuse = [&](const std::string& problem, const std::string& expected) {
+    throw ConfigurationError(deployment.file, 0, "--into", problem, expected);
+  };
+  std::filesystem::path target = std::filesystem::absolute(into).lexically_normal();
+  if (!std::filesystem::is_directory(target.parent_path()))
+    refuse("no folder " + config::in_quotes(target.parent_path().string()), "a file in an existing folder");
+  if (std::filesystem::is_directory(target)) refuse(config::in_quotes(into.string()) + " is a folder", "a file");
+  if (target.string().size() > kLongestPath)
+    refuse("its absolute path has " + std::to_string(target.string().size()) + " characters",
+           "at most " + std::to_string(kLongestPath));
+  return target;
+}
+
+}  // namespace
+
+std::vector<CalibrationKind> calibration_kinds() {
+  return {{"load",
+           "CalibrateLoad",
+           "force_torque",
+           "Mass and centre of the load behind a wrist's force sensor, and the sensor's zero",
+           {},
+           {{"postures", true, 12, 6, 100, "Orientations in which the sensor is read"},
+            {"reach", false, 0.6, 0.05, 3, "rad or m by which each of the last three joints moves to both sides"},
+            {"speed", false, 0.5, 0.01, 1, "Of the robot between them, as a part of its greatest"},
+            {"force_bound", false, 0.5, 0.001, 1000, "N: largest residual of an orientation that is accepted"},
+            {"torque_bound", false, 0.05, 0.0001, 1000, "N m: largest residual that is accepted"}}},
+          {"hand-eye",
+           "CalibrateHandEye",
+           "camera",
+           "Pose of a camera on the flange, and its focal length, from views of a marker that does not move",
+           {{"frame", "camera"}, {"detect", "marker"}},
+           {{"marker", true, -1, -1, 100000, "Number of the marker in the camera's dictionary; -1: as deployed"},
+            {"marker_size", false, 0.05, 0.001, 10, "m: side of its black square, beside --marker"},
+            {"views", true, 20, 6, 200, "Postures from which the camera looks at it"},
+            {"reach", false, 0.12, 0.02, 1, "rad or m by which the last three joints move for the first estimate"},
+            {"speed", false, 0.5, 0.01, 1, "Of the robot between them, as a part of its greatest"},
+            {"joint_deviation", false, 0.0003, 1e-6, 0.1, "rad or m: expected error of each joint's zero"},
+            {"arm_deviation", false, 0.0001, 1e-6, 0.1, "m: expected error of the flange from posture to posture"},
+            {"residual_bound", false, 0.002, 1e-5, 0.1, "rad: largest residual of a view that is accepted"}}}};
+}
+
+CalibrationRun::CalibrationRun(CalibrationKind kind, const config::Deployment& deployment, CalibrationOrder order)
+    : kind_(std::move(kind)), order_(std::move(order)) {
+  order_.robot = chosen(deployment.file, "--robot", order_.robot, suitable_robots(deployment, kind_.sensor_type),
+                        "robot with a sensor of type " + config::in_quotes(kind_.sensor_type));
+  order_.sensor =
+      chosen(deployment.file, "--sensor", order_.sensor, suitable_sensors(deployment, kind_.sensor_type, order_.robot),
+             "sensor of type " + config::in_quotes(kind_.sensor_type) + " on robot " + config::in_quotes(order_.robot));
+  order_.into = checked_target(deployment, order_.into);
+  std::string pattern = std::filesystem::temp_directory_path() / "mrroc_calibrate_XXXXXX";
+  if (::mkdtemp(pattern.data()) == nullptr)
+    throw std::runtime_error("cannot make the folder " + pattern + ": " + std::strerror(errno));
+  folder_ = pattern;
+  std::ofstream(folder_ / "states.toml") << states();
+}
+
+CalibrationRun::~CalibrationRun() {
+  std::error_code ignored;
+  std::filesystem::remove_all(folder_, ignored);
+}
+
+std::string CalibrationRun::deployment_text(const std::string& text) const {
+  std::string program = "calibrate_" + kind_.name;
+  std::replace(program.begin(), program.end(), '-', '_');
+  return config::for_calibration(text,
+                                 {order_.robot, program, folder_ / "states.toml", order_.sensor, kind_.sensor_keys});
+}
+
+/// One state: the robot calibrates.
+std::string CalibrationRun::states() const {
+  toml::table start{{"robot", order_.robot},
+                    {"behaviour", kind_.behaviour},
+                    {"sensor", order_.sensor},
+                    {"into", order_.into.string()}};
+  for (const CalibrationSetting& setting : kind_.settings) {
+    if (setting.whole)
+      start.insert(setting.name, std::lround(setting.value));
+    else
+      start.insert(setting.name, setting.value);
+  }
+  const toml::table state{{"start", toml::array{std::move(start)}}, {"next", "end"}};
+  return config::toml_text(toml::table{{"first", "calibrate"}, {"states", toml::table{{"calibrate", state}}}});
+}
+
+}  // namespace mrroc::cli

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <vector>
+
+#include "mrroc/robot_model.hpp"
+
+namespace mrroc::calibration {
+
+/// One picture of a square marker that does not move, taken by a camera on a robot's flange.
+struct MarkerView {
+  JointVector joints;              ///< of the robot, rad or m
+  Pose marker = Pose::Identity();  ///< in the camera frame (z along the view, x right, y down), its middle
+  double side = 0;                 ///< of its square, m
+};
+
+/// Standard deviations of what is estimated beside the camera's pose, before the views.
+struct HandEyePriors {
+  double joint = 0.0003;   ///< rad or m: encoder reading at each joint's zero
+  double focal = 0.003;    ///< 1: relative error of the focal length
+  double k1 = 0.01;        ///< 1: radial distortion of the lens
+  double position = 1e-4;  ///< m: of the flange, beyond the joints' zeros, from posture to posture
+  double rotation = 2e-4;  ///< rad
+  double corner = 5e-5;    ///< rad: of a corner in the picture
+};
+
+/// The camera on the flange, and everything that its estimation needs.
+struct HandEyeFit {
+  Pose camera = Pose::Identity();  ///< X: the camera frame in the flange frame
+  Pose marker = Pose::Identity();  ///< Z: the marker in the robot's base frame
+  double focal = 0;                ///< e: the true focal length is (1 + e) times that of the readings
+  double k1 = 0;                   ///< of the lens, beyond that of the readings
+  JointVector joints;              ///< d: joints are the encoders' readings plus d
+  double position_deviation = 0;   ///< standard deviation of X in its worst direction, m
+  double rotation_deviation = 0;   ///< rad
+  double focal_deviation = 0;
+  std::vector<double> residuals;  ///< of each view: root mean square of its corners' directions, rad
+};
+
+/// X and Z in closed form (Park and Martin, "Robot sensor calibration: solving AX = XB on the Euclidean group", IEEE
+/// Trans. Robotics and Automation 10(5), 1994): with F_k = flange(q_k) and B_k the marker in the camera frame, F_k X
+/// B_k = Z for all k; e, k1 and d are 0. Throws NonFatalError(invalid_argument): fewer than three views, or turns of
+/// the flange about one axis only. Any thread; allocates.
+HandEyeFit closed_form_hand_eye(const RobotModel& model, const std::vector<MarkerView>& views);
+
+/// The maximum a-posteriori estimate of X, Z, e, k1 and d. View k shows the corner c of the marker, (+-side, +-side, 0)
+/// / 2, in the direction u = h(B_k c), h(x, y, z) = (x, y) / z; the model expects it in
+///
+///   u = (1 + e) (1 + k1 |w|^2) w,   w = h((flange(q_k + d) X)^-1 Z c)
+///
+/// Minimised are the squares of the differences, weighed by their covariance, and of e, k1 and d over their priors,
+/// from the closed form by Levenberg-Marquardt (Eigen's port of MINPACK). The covariance of the four corners of a view
+/// is that of the picture and of the flange's pose: corner^2 I + J diag(position^2, rotation^2) J^T, J their derivative
+/// by the marker's pose in the camera frame. So an arm that is not exact costs no accuracy of depth and tilt. An error
+/// of the focal length, left out, would appear as one of the depth. The covariance of the result is that of these
+/// weights, times the mean square of the weighed differences, at least kLeastVariance.
+///
+/// Throws as `closed_form_hand_eye`; NonFatalError(invalid_argument) when the iteration does not converge.
+HandEyeFit fit_hand_eye(const RobotModel& model, const std::vector<MarkerView>& views,
+                        const HandEyePriors& priors = {});
+
+inline constexpr double kLeastVariance = 0.1;
+
+}  // namespace mrroc::calibration

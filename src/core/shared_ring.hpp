@@ -1,0 +1,101 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <ctime>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+#include "core/shared_memory.hpp"
+
+namespace mrroc::core {
+
+/// First-in-first-out queue from one thread of a process to one thread of the process that started it, in memory that
+/// both map: without a lock, all entries allocated at once. An entry that finds no room is dropped and counted, or
+/// waits for room. Entries are plain values; a reader must not trust what a damaged writer puts into them.
+template <class Entry, std::size_t kEntries>
+class SharedRing {
+  static_assert(std::is_trivially_copyable_v<Entry>);
+
+ public:
+  static constexpr std::size_t kCapacity = kEntries;
+
+  /// Empty. `name` is that of the kernel's lists, `what` that of messages. Throws SystemError(resources) without
+  /// memory.
+  static SharedRing create(const char* name, const std::string& what) {
+    return SharedRing(SharedMemory::create(name, sizeof(Memory), what));
+  }
+  /// Throws SystemError(resources) when `fd` is not such a memory. The descriptor stays the caller's.
+  static SharedRing attach(int fd, const std::string& what) {
+    return SharedRing(SharedMemory::attach(fd, sizeof(Memory), what));
+  }
+
+  /// Descriptor of a memory that was created here, for a child; -1 otherwise. Closed with this object.
+  int fd() const noexcept { return mapped_.fd(); }
+
+  /// Where the next entry is to be written, with what the last one there has left; null: no room, it is dropped.
+  /// `publish` makes it the newest. `waits`: sleeps until there is room, but not for a reader that takes nothing for
+  /// 10 s: then entries are dropped until it does. The writer's thread; does not allocate.
+  Entry* claim(bool waits) noexcept {
+    for (int check = 0; waits && !given_up_ && full(); ++check) {
+      if (check == kChecks) given_up_ = true;
+      const timespec pause{0, kSleep};
+      nanosleep(&pause, nullptr);
+    }
+    if (full()) {
+      memory_->dropped.fetch_add(1, std::memory_order_relaxed);
+      return nullptr;
+    }
+    given_up_ = false;
+    return &memory_->entries[memory_->added.load(std::memory_order_relaxed) % kEntries];
+  }
+  /// The writer's thread.
+  void publish() noexcept { memory_->added.fetch_add(1, std::memory_order_release); }
+  /// No further entry will come. The writer's thread.
+  void end() noexcept { memory_->ended.store(1, std::memory_order_release); }
+
+  /// The oldest entry, valid until `pop`; null: the ring is empty. The reader's thread.
+  const Entry* front() const noexcept {
+    const std::uint64_t taken = memory_->taken.load(std::memory_order_relaxed);
+    if (taken == memory_->added.load(std::memory_order_acquire)) return nullptr;
+    return &memory_->entries[taken % kEntries];
+  }
+  /// Removes the oldest entry; there must be one. The reader's thread.
+  void pop() noexcept { memory_->taken.fetch_add(1, std::memory_order_release); }
+
+  /// Whether the writer has ended in order: it was not killed. Any thread.
+  bool ended() const noexcept { return memory_->ended.load(std::memory_order_acquire) != 0; }
+  /// Entries that were added, and those that were dropped. Any thread.
+  std::uint64_t added() const noexcept { return memory_->added.load(std::memory_order_acquire); }
+  std::uint64_t dropped() const noexcept { return memory_->dropped.load(std::memory_order_relaxed); }
+
+ private:
+  static constexpr long kSleep = 100'000;  // ns between two checks for room
+  static constexpr int kChecks = 100'000;  // of them: 10 s
+
+  /// All zero, as the kernel provides it, is an empty one.
+  struct Memory {
+    std::atomic<std::uint64_t> added;  ///< by the writer, as all but `taken`
+    std::atomic<std::uint64_t> dropped;
+    std::atomic<std::uint64_t> ended;
+    alignas(64) std::atomic<std::uint64_t> taken;  ///< by the reader
+    alignas(64) std::array<Entry, kEntries> entries;
+  };
+  static_assert(std::atomic<std::uint64_t>::is_always_lock_free);
+
+  explicit SharedRing(SharedMemory mapped) noexcept
+      : mapped_(std::move(mapped)), memory_(static_cast<Memory*>(mapped_.address())) {}
+
+  bool full() const noexcept {
+    return memory_->added.load(std::memory_order_relaxed) - memory_->taken.load(std::memory_order_acquire) >= kEntries;
+  }
+
+  SharedMemory mapped_;
+  Memory* memory_;
+  bool given_up_ = false;  // the reader has taken nothing for long
+};
+
+}  // namespace mrroc::core

@@ -1,0 +1,146 @@
+#include "calibration/hand_eye.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+#include <rapidcheck/gtest.h>
+
+#include "calibration/seeded.hpp"
+#include "calibration/view_postures.hpp"
+#include "mrroc/errors.hpp"
+#include "robots/irb6/irb6_model.hpp"
+
+namespace mrroc::calibration {
+namespace {
+
+const RobotModel& irb6() {
+  static const RobotModels models = load_irb6();
+  return *models.front();
+}
+
+/// The true camera, marker, focal length and joints, and views of them.
+struct Scene {
+  HandEyeFit truth;
+  std::vector<MarkerView> views;
+};
+
+struct Noise {
+  double corner = 0;                    // rad
+  double focal = 0, k1 = 0, joint = 0;  // sizes of the errors
+};
+
+constexpr double kSide = 0.09;  // m
+
+Eigen::Matrix<double, 2, 4> corners_of(const Pose& marker) {
+  Eigen::Matrix<double, 2, 4> corners;
+  for (int i = 0; i < 4; ++i) {
+    const Eigen::Vector3d p =
+        marker * Eigen::Vector3d(i < 2 ? kSide / 2 : -kSide / 2, i % 2 != 0 ? kSide / 2 : -kSide / 2, 0);
+    corners.col(i) = p.head<2>() / p.z();
+  }
+  return corners;
+}
+
+/// The pose that explains the corners of a marker in these directions best, near `pose`.
+Pose seen_pose(const Eigen::Matrix<double, 2, 4>& corners, Pose pose) {
+  const auto moved = [&pose](const Eigen::Matrix<double, 6, 1>& x) {
+    Pose result = pose;
+    result.translation() += x.head<3>();
+    result.linear() = pose.linear() * exp_rotation(x.tail<3>());
+    return result;
+  };
+  for (int iteration = 0; iteration < 8; ++iteration) {  // Gauss-Newton
+    Eigen::Matrix<double, 8, 6> jacobian;
+    for (int i = 0; i < 6; ++i) {
+      const Eigen::Matrix<double, 6, 1> step = 1e-6 * Eigen::Matrix<double, 6, 1>::Unit(i);
+      jacobian.col(i) = (corners_of(moved(step)) - corners_of(moved(-step))).reshaped() / 2e-6;
+    }
+    const Eigen::Matrix<double, 8, 1> difference = (corners - corners_of(pose)).reshaped();
+    pose = moved(jacobian.colPivHouseholderQr().solve(difference));
+  }
+  return pose;
+}
+
+Scene scene(std::uint32_t seed, const Noise& noise) {
+  Seeded random(seed);
+  const JointVector home = irb6().parameters().home;
+  Scene made;
+  HandEyeFit& truth = made.truth;
+  truth.camera = Eigen::Translation3d(Eigen::Vector3d(0.08, 0, 0.06) + random.vector(0.01)) *
+                 Pose(exp_rotation(random.vector(0.1) + Eigen::Vector3d(0, 0, 1.6)));
+  truth.marker = irb6().flange(home) * truth.camera * Pose(Eigen::Translation3d(0.02, 0.01, 0.4)) *
+                 Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitX());
+  truth.focal = random.within(noise.focal);
+  truth.k1 = random.within(noise.k1);
+  truth.joints = JointVector::Zero(home.size());
+  for (double& joint : truth.joints) joint = random.within(noise.joint);
+  for (const JointVector& joints : view_postures(irb6(), truth, home, 20)) {
+    MarkerView view;
+    view.joints = joints - truth.joints;  // the encoders' readings
+    view.side = kSide;
+    const Pose marker = (irb6().flange(joints) * truth.camera).inverse() * truth.marker;
+    Eigen::Matrix<double, 2, 4> corners = corners_of(marker);
+    for (int i = 0; i < 4; ++i) {
+      corners.col(i) *= (1 + truth.focal) * (1 + truth.k1 * corners.col(i).squaredNorm());
+      corners.col(i) += random.noise(noise.corner).head<2>();
+    }
+    view.marker = seen_pose(corners, marker);
+    made.views.push_back(view);
+  }
+  return made;
+}
+
+double distance(const Pose& a, const Pose& b) { return (a.translation() - b.translation()).norm(); }
+double angle(const Pose& a, const Pose& b) { return rotation_vector(a.linear().transpose() * b.linear()).norm(); }
+
+RC_GTEST_PROP(HandEye, ClosedFormIsExactWithoutErrors, (std::uint32_t seed)) {
+  const Scene made = scene(seed, {});
+  const HandEyeFit fit = closed_form_hand_eye(irb6(), made.views);
+  RC_ASSERT(distance(fit.camera, made.truth.camera) < 1e-8);
+  RC_ASSERT(angle(fit.camera, made.truth.camera) < 1e-6);
+  RC_ASSERT(distance(fit.marker, made.truth.marker) < 1e-8);
+}
+
+RC_GTEST_PROP(HandEye, FindsTheFocalLengthToo, (std::uint32_t seed)) {
+  const Scene made = scene(seed, {.focal = 0.003});
+  // of an arm that is known exactly
+  const HandEyeFit fit = fit_hand_eye(irb6(), made.views, {.joint = 1e-7, .focal = 0.1, .position = 0, .rotation = 0});
+  RC_ASSERT(distance(fit.camera, made.truth.camera) < 5e-5);
+  RC_ASSERT(std::abs(fit.focal - made.truth.focal) < 1e-4);
+}
+
+// errors of an arm that was not calibrated, and of a picture
+RC_GTEST_PROP(HandEye, ErrorsFollowTheDeviations, (std::uint32_t seed)) {
+  const Scene made = scene(seed, {.corner = 1e-4, .focal = 0.003, .k1 = 0.01, .joint = 0.0005});
+  const HandEyeFit fit = fit_hand_eye(irb6(), made.views);
+  RC_ASSERT(distance(fit.camera, made.truth.camera) < 6 * fit.position_deviation);
+  RC_ASSERT(angle(fit.camera, made.truth.camera) < 6 * fit.rotation_deviation);
+  RC_ASSERT(std::abs(fit.focal - made.truth.focal) < 6 * fit.focal_deviation);
+}
+
+TEST(HandEye, RefinementIsBetterThanTheClosedForm) {
+  double closed = 0, refined = 0;
+  for (std::uint32_t seed = 1; seed <= 20; ++seed) {
+    const Scene made = scene(seed, {.corner = 2e-4, .focal = 0.003, .k1 = 0.01, .joint = 0.0005});
+    closed += distance(closed_form_hand_eye(irb6(), made.views).camera, made.truth.camera) / 20;
+    refined += distance(fit_hand_eye(irb6(), made.views).camera, made.truth.camera) / 20;
+  }
+  std::printf("mean error of the position: %.3f mm in closed form, %.3f mm refined\n", 1000 * closed, 1000 * refined);
+  EXPECT_LT(refined, 0.5 * closed);
+}
+
+TEST(HandEye, RefusesViewsThatDoNotDefineAPose) {
+  Scene made = scene(3, {});
+  made.views.resize(2);
+  EXPECT_THROW(fit_hand_eye(irb6(), made.views), NonFatalError);
+  made = scene(3, {});
+  for (MarkerView& view : made.views) {  // the last joint alone
+    const double last = view.joints[5];
+    view.joints = irb6().parameters().home;
+    view.joints[5] = last;
+    view.marker = (irb6().flange(view.joints) * made.truth.camera).inverse() * made.truth.marker;
+  }
+  EXPECT_THROW(fit_hand_eye(irb6(), made.views), NonFatalError);
+}
+
+}  // namespace
+}  // namespace mrroc::calibration

@@ -1,0 +1,245 @@
+"""The bridge to ROS 2, seen by two other implementations of DDS: rosless (Rust) and Cyclone DDS 11.
+
+ros2_test.py BUILD_FOLDER SOURCE_FOLDER [NAME...]
+"""
+
+import os
+import pathlib
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+import numpy
+import rosless
+from ros2_peers import DOMAIN, PRESS, SOURCE, Flood, Run, enter_network, trace_hash, udp_ports
+from ros2_trigger import TriggerClient, endpoints
+
+# rosless aligns an empty sequence of numbers, which CDR does not: the last field is only its count
+rosless.register_type("sensor_msgs/msg/JointState",
+                      "std_msgs/Header header\nstring[] name\nfloat64[] position\nfloat64[] velocity\nuint32 effort_count")
+TOPICS = {  # of press: type, whether a late subscriber receives the last message
+    "/joint_states": ("sensor_msgs/msg/JointState", False),
+    "/tf": ("tf2_msgs/msg/TFMessage", False),
+    "/tf_static": ("tf2_msgs/msg/TFMessage", True),
+    "/robot_description": ("std_msgs/msg/String", True),
+    "/clock": ("rosgraph_msgs/msg/Clock", False),
+    "/wrist/wrench": ("geometry_msgs/msg/WrenchStamped", False),
+    "/wrench": ("geometry_msgs/msg/WrenchStamped", False),
+    "/diagnostics": ("diagnostic_msgs/msg/DiagnosticArray", False),
+    "/rosout": ("rcl_interfaces/msg/Log", True),
+}
+PUBLISHED_HASHES = {
+    "std_msgs::msg::dds_::String_": "RIHS01_df668c740482bbd48fb39d76a70dfd4bd59db1288021743503259e948f6b1a18",
+    "sensor_msgs::msg::dds_::JointState_": "RIHS01_a13ee3a330e346c9d87b5aa18d24e11690752bd33a0350f11c5882bc9179260e",
+}
+JOINTS = ["column", "lower_arm", "upper_arm", "wrist_pitch", "wrist_roll", "tool_roll"]
+
+
+def seconds(stamp):
+    return stamp.sec + stamp.nanosec * 1e-9
+
+
+def matrix(transform):
+    x, y, z, w = (getattr(transform.rotation, name) for name in "xyzw")
+    own = numpy.eye(4)
+    own[:3, :3] = [[1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+                   [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+                   [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)]]
+    own[:3, 3] = [getattr(transform.translation, name) for name in "xyz"]
+    return own
+
+
+class Ros2(unittest.TestCase):
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp())
+        self.runs = []
+
+    def tearDown(self):
+        for run in self.runs:
+            run.close()
+        shutil.rmtree(self.folder)
+
+    def run_press(self, *words, deployment=PRESS):
+        run = Run(self.folder, deployment, *words)
+        self.runs.append(run)
+        return run
+
+    def deployment(self, table):
+        """press with this text as its table [ros2]."""
+        shutil.copytree(SOURCE / "tasks/press", self.folder / "press")
+        file = self.folder / "press/press.toml"
+        file.write_text(file.read_text(encoding="utf-8") + f"\n[ros2]\n{table}\n", encoding="utf-8")
+        return file
+
+    def receive(self, names, enough, ready=lambda: None):
+        """Messages of these topics until each has `enough`, or one; `ready` is called when all are subscribed."""
+        node = rosless.Node(DOMAIN)
+        readers = {}
+        for name in names:
+            kind, last = TOPICS[name]
+            readers[name] = node.subscribe(name, kind, wait=0.0, reliability="reliable", durability="transient_local" if last else "volatile")
+        ready()
+        found = {name: [] for name in names}
+        end = time.monotonic() + 60
+        while any(len(found[name]) < (1 if TOPICS[name][1] else enough) for name in names):
+            self.assertLess(time.monotonic(), end, {name: len(each) for name, each in found.items()})
+            for name, reader in readers.items():
+                if (message := reader.read(timeout=0.002)) is not None:
+                    found[name].append(message)
+        return found
+
+    def test_rosless_sees_every_message_of_a_run(self):
+        run = self.run_press("--clock", "paced", "--ros2", "--hold")
+        run.wait_for("ros2: node /mrroc_press in domain 7")
+        found = self.receive([name for name in TOPICS if name not in ("/wrist/wrench", "/wrench", "/rosout")], 3)
+        found |= self.receive(["/wrist/wrench", "/rosout"], 1, ready=lambda: run.operate("start"))
+        for state in found["/joint_states"]:
+            self.assertEqual(state.name, JOINTS)
+            self.assertEqual((len(state.position), len(state.velocity)), (6, 6))
+        stamps = [seconds(state.header.stamp) for state in found["/joint_states"]]
+        self.assertEqual(stamps, sorted(stamps))
+        self.assertEqual([seconds(each.clock) for each in found["/clock"]], sorted(seconds(each.clock) for each in found["/clock"]))
+        self.assertTrue(all(abs(stamp / 0.002 - round(stamp / 0.002)) < 1e-6 for stamp in stamps), "not the times of ticks")
+        self.assertEqual(found["/wrist/wrench"][0].header.frame_id, "wrist")
+        self.assertIn('<robot name="irb6">', found["/robot_description"][0].data)
+        names = {status.name for status in found["/diagnostics"][-1].status}
+        self.assertLessEqual({"press: process arm_edp", "press: robot arm"}, names)
+        # the chain of the URDF's links ends where the robot's own kinematics has its tool
+        fixed = {each.child_frame_id: each for each in found["/tf_static"][0].transforms}
+        moving = {each.child_frame_id: each for each in found["/tf"][-1].transforms}
+        self.assertEqual(fixed["base"].header.frame_id, "world")
+        self.assertAlmostEqual(fixed["base"].transform.translation.z, 0.7)
+        frames = fixed | moving
+        chain, name = numpy.eye(4), "tool_frame"
+        while name != "base":
+            chain = matrix(frames[name].transform) @ chain
+            name = frames[name].header.frame_id
+        self.assertEqual(moving["arm_tool"].header.frame_id, "base")
+        numpy.testing.assert_allclose(chain, matrix(moving["arm_tool"].transform), atol=1e-6)
+
+    def test_topics_have_the_types_and_hashes_of_ros2(self):
+        run = self.run_press("--clock", "paced", "--ros2", "--hold")
+        run.wait_for("ros2: node")
+        found = endpoints(DOMAIN, {f"rt{name}" for name in TOPICS if name != "/wrench"})
+        for name, (kind, _) in TOPICS.items():
+            if name == "/wrench":
+                continue
+            package, _, message = kind.split("/")
+            type_name, data = found[f"rt{name}"]
+            self.assertEqual(type_name, f"{package}::msg::dds_::{message}_")
+            self.assertRegex(data, "^typehash=RIHS01_[0-9a-f]{64};$")
+            if type_name in PUBLISHED_HASHES:
+                self.assertEqual(data, f"typehash={PUBLISHED_HASHES[type_name]};")
+
+    def test_each_of_several_robots_has_its_own_topics_and_frames(self):
+        run = self.run_press("--clock", "paced", "--ros2", "--hold", deployment=SOURCE / "tasks/cooperative_transfer/cooperative_transfer.toml")
+        run.wait_for("ros2: node /mrroc_cooperative_transfer")
+        robots = ("left", "right", "left_gripper", "right_gripper")
+        found = endpoints(DOMAIN, {f"rt/{robot}/joint_states" for robot in robots} | {"rt/tf_static"})
+        self.assertNotIn("rt/joint_states", found)
+        messages = self.receive(["/tf", "/tf_static"], 20)
+        parents = {}
+        for message in (*messages["/tf"], *messages["/tf_static"]):
+            for each in message.transforms:
+                parent = parents.setdefault(each.child_frame_id, each.header.frame_id)
+                self.assertEqual(parent, each.header.frame_id, f"two parents of {each.child_frame_id}")
+        for frame in parents:
+            self.assertTrue(frame.startswith(tuple(f"{robot}/" for robot in robots)), frame)
+            seen = []
+            while frame != "world":
+                self.assertNotIn(frame, seen)
+                seen.append(frame)
+                self.assertIn(frame, parents, f"{seen[0]} is not below the world")
+                frame = parents[frame]
+
+    def test_real_robots_have_the_systems_time(self):
+        before = time.time()
+        run = self.run_press("--clock", "real", "--ros2", "--hold")
+        run.wait_for("ros2: node")
+        states = self.receive(["/joint_states"], 5)["/joint_states"]
+        stamps = [seconds(state.header.stamp) for state in states]
+        self.assertTrue(all(before < stamp < time.time() for stamp in stamps), (before, stamps))
+        self.assertNotIn("rt/clock", endpoints(DOMAIN, {"rt/tf", "rt/joint_states"}))
+
+    def test_nodes_of_this_machine_find_one_that_only_this_machine_sees(self):
+        run = self.run_press("--clock", "paced", "--hold", deployment=self.deployment('interface = "lo"'))
+        run.wait_for("ros2: node")
+        local = ("<General><Interfaces><NetworkInterface address='127.0.0.1' multicast='false'/></Interfaces></General>"
+                 "<Discovery><ParticipantIndex>auto</ParticipantIndex><Peers><Peer Address='127.0.0.1'/></Peers></Discovery>")
+        code = f"import ros2_trigger; print(ros2_trigger.endpoints({DOMAIN}, {{'rt/joint_states'}})['rt/joint_states'][0])"
+        done = subprocess.run([sys.executable, "-c", code], env=dict(os.environ, CYCLONEDDS_URI=local), cwd=SOURCE / "tests/system",
+                              capture_output=True, text=True, check=True)
+        self.assertEqual(done.stdout.strip(), "sensor_msgs::msg::dds_::JointState_")
+
+    def test_humble_has_no_hashes(self):
+        run = self.run_press("--clock", "paced", "--hold", deployment=self.deployment('distro = "humble"\nnamespace = "/lab"'))
+        run.wait_for("ros2: node /lab/mrroc_press in domain 7")
+        found = endpoints(DOMAIN, {"rt/lab/joint_states", "rt/tf"})
+        self.assertEqual(found["rt/lab/joint_states"], ("sensor_msgs::msg::dds_::JointState_", ""))
+
+    def test_services_operate_the_run(self):
+        run = self.run_press("--clock", "paced", "--hold", deployment=self.deployment("commands = true"))
+        run.wait_for("ros2: node")
+        client = TriggerClient(DOMAIN)
+        other = TriggerClient(DOMAIN)
+        self.assertEqual(client.call("/mrroc_press/resume")[0], False)
+        self.assertEqual(client.call("/mrroc_press/start")[0], True)
+        self.assertEqual(client.call("/mrroc_press/pause")[0], True)
+        # each client gets the replies to its own requests
+        first, second = client.send("/mrroc_press/pause"), other.send("/mrroc_press/resume")
+        self.assertEqual((client.reply("/mrroc_press/pause", first)[0], other.reply("/mrroc_press/resume", second)[0]), (False, True))
+        self.assertEqual(client.call("/mrroc_press/stop")[0], True)
+        run.end(expected=5)
+
+    def test_without_commands_there_is_no_service(self):
+        run = self.run_press("--clock", "paced", "--ros2", "--hold")
+        run.wait_for("ros2: node")
+        found = endpoints(DOMAIN, {"rt/tf"})
+        self.assertFalse([name for name in found if name.startswith(("rq/", "rr/"))])
+
+    def test_the_trace_is_the_same_whatever_happens_to_the_bridge(self):
+        hashes = set()
+        for number, signals in enumerate(([], [signal.SIGKILL], [signal.SIGSTOP])):
+            trace = self.folder / f"{number}.trace"
+            run = self.run_press("--clock", "lockstep", "--ros2", "--trace", trace)
+            run.wait_for("ros2: node")
+            bridge = run.bridge()
+            for each in signals:
+                os.kill(bridge, each)
+            text = run.end()
+            if signals == [signal.SIGKILL]:
+                self.assertIn("the process 'ros2' has ended", text)
+            hashes.add(trace_hash(trace))
+        trace = self.folder / "without.trace"
+        self.run_press("--clock", "lockstep", "--trace", trace).end()
+        self.assertEqual(hashes, {trace_hash(trace)})
+
+    def test_a_flood_of_the_bridge_changes_nothing(self):
+        traces = [self.folder / "quiet.trace", self.folder / "flooded.trace"]
+        self.run_press("--clock", "lockstep", "--trace", traces[0]).end()
+        run = self.run_press("--clock", "lockstep", "--trace", traces[1], deployment=self.deployment("commands = true"))
+        run.wait_for("ros2: node")
+        flood = Flood(udp_ports(run.bridge()))
+        client = TriggerClient(DOMAIN)
+        while run.process.poll() is None:
+            client.send("/mrroc_press/resume")  # refused: nothing is paused
+        run.end()
+        sent = flood.end()
+        print(f"{sent} datagrams, {client.last} requests")
+        self.assertGreater(min(sent, client.last), 1000)
+        self.assertEqual(trace_hash(traces[0]), trace_hash(traces[1]))
+
+    def test_a_bridge_that_cannot_start_ends_the_run_before_anything_moves(self):
+        run = self.run_press("--clock", "lockstep", deployment=self.deployment('interface = "nowhere0"'))
+        text = run.end(expected=2)
+        self.assertEqual(text.count("nowhere0"), 1, text)
+        self.assertNotIn("running", text)
+
+
+if __name__ == "__main__":
+    enter_network()
+    unittest.main(argv=[sys.argv[0], *sys.argv[3:]], verbosity=2)
