@@ -26,7 +26,7 @@ struct DriverContext {
 using MakeHardware = std::unique_ptr<Hardware> (*)(const DriverContext& context);
 
 /// Version of `Hardware` and DriverContext. A driver of another version is refused when it is loaded.
-inline constexpr std::uint32_t kDriverVersion = 2;
+inline constexpr std::uint32_t kDriverVersion = 3;
 
 /// The interface of a robot driver whose factory is `make`.
 inline plugin::Interface driver_interface(MakeHardware make) noexcept {

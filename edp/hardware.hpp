@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 
 #include "edp/robot_clock.hpp"
 #include "edp/safety/fault.hpp"
@@ -28,6 +29,7 @@ struct HardwareInput {
   /// drives report another time. That of the reading before: positions are repeated, extrapolated, or perhaps not new.
   double time = 0;
   double late = 0;                    ///< and how long after it at most, servo periods: on a bus, until it was answered
+  std::uint64_t unseen = 0;           ///< set-points of so many ticks before this one had not reached the drives yet
   JointVector motors;                 ///< shaft positions, rad, as the encoders resolve them
   JointVector current;                ///< measured currents, A
   bool synchronised = false;          ///< positions are absolute; else they count from the position at power-on

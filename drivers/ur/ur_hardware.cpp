@@ -202,6 +202,8 @@ void UrHardware::read(Tick tick, edp::HardwareInput& input) noexcept {
   }
   if (std::exchange(fresh_, false)) received_ = tick;
   if (options_.lockstep) input.time = static_cast<double>(received_);
+  if (follows())
+    input.unseen = static_cast<std::uint32_t>(command_.sequence) - static_cast<std::uint32_t>(state_.script_sequence);
   advance();
   const JointVector joints = as_joints(state_.position);
   JointVector motors(kAxes);

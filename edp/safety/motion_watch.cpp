@@ -28,7 +28,7 @@ Fault MotionWatch::check(const RobotModel& model, const Seen& seen, Taken taken,
     return {};
   }
   const Fault fast = check_speed(model.parameters().axes, seen.joints, taken, homing);
-  const Fault stuck = check_shafts(model, seen, homing);
+  const Fault stuck = check_shafts(model, seen, taken, homing);
   if (fast.code != ErrorCode::none || !moves) return fast;
   return stuck;
 }
@@ -37,6 +37,8 @@ void MotionWatch::begin(const RobotModel& model, const Seen& seen, Taken taken) 
   ring_[0] = {taken, seen.joints};
   readings_ = 1;
   speed_ = seen.velocity;
+  set_points_.begin(seen.desired_motors);
+  taken_ = taken.time;
   motors_ = seen.motors;
   desired_there_ = desired_last_ = seen.desired_motors;
   current_there_ = seen.current;
@@ -75,26 +77,33 @@ Fault MotionWatch::check_speed(const std::vector<AxisParameters>& axes, const Jo
   return fault;
 }
 
-Fault MotionWatch::check_shafts(const RobotModel& model, const Seen& seen, int homing) noexcept {
+Fault MotionWatch::check_shafts(const RobotModel& model, const Seen& seen, Taken taken, int homing) noexcept {
+  set_points_.push(seen.desired_motors);
+  const JointVector* const had = set_points_.before(taken.unseen);
+  if (had == nullptr) return {};  // drives that are so far behind are silent
+  const JointVector& desired = *had;
+  const bool is_new = taken.time > taken_;
+  taken_ = taken.time;
   Fault fault;
   for (Eigen::Index i = seen.motors.size(); i-- > 0;) {
     if (seen.motors[i] != motors_[i]) {
       motors_[i] = seen.motors[i];
-      desired_there_[i] = seen.desired_motors[i];
+      desired_there_[i] = desired[i];
       current_there_[i] = seen.current[i];
       pushed_[i] = 0;
       continue;
     }
     const AxisParameters& axis = model.parameters().axes[static_cast<std::size_t>(i)];
-    const double way = std::abs(seen.desired_motors[i] - desired_there_[i]);
-    if (!(way <= axis.stuck_max)) fault = {ErrorCode::axis_stuck, static_cast<int>(i), Excess{way, axis.stuck_max}};
+    const double way = std::abs(desired[i] - desired_there_[i]);
+    if (is_new && !(way <= axis.stuck_max))
+      fault = {ErrorCode::axis_stuck, static_cast<int>(i), Excess{way, axis.stuck_max}};
     // a drive that homes moves on its own, in every mode
-    const bool asked = seen.given || (seen.desired_motors[i] != desired_last_[i] && way > kTremble * increment(axis));
+    const bool asked = seen.given || (desired[i] != desired_last_[i] && way > kTremble * increment(axis));
     const bool on_its_own = i == homing || !asked;
     if (on_its_own) current_there_[i] = seen.current[i];
     pushed_[i] = on_its_own ? 0 : next_speed(axis, pushed_[i], seen.current[i] - current_there_[i], period_);
   }
-  desired_last_ = seen.desired_motors;
+  desired_last_ = desired;
   return fault.code != ErrorCode::none || pushed_.isZero(0) ? fault : check_push(model, seen.joints);
 }
 

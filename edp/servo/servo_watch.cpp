@@ -30,6 +30,7 @@ void Servo::measure(Tick tick, double measured) noexcept {
   const double last_read = input_.time;
   input_.time = measured;
   input_.late = 0;
+  input_.unseen = 0;
   input_.motors.setConstant(kNothing);
   input_.current.setConstant(kNothing);
   input_.fault_axis = -1;
@@ -92,7 +93,7 @@ void Servo::watch(Tick tick) noexcept {
     const bool given = hardware_.follows_current();
     find_fault(motion_.check(
         *model_, {joints_, velocity_, measured_motors_, desired_motors_, given ? current_ : input_.current, given},
-        {input_.time, input_.late}, moves, homing_axis()));
+        {input_.time, input_.late, input_.unseen}, moves, homing_axis()));
   }
   if (found_.code != ErrorCode::none) latch(found_, tick);
   if (has_power(state_) && fault_.code != ErrorCode::none)

@@ -155,12 +155,17 @@ class Rig {
     worst_mean_speed = std::max(worst_mean_speed, mean / model.parameters().axes[0].velocity_max);
     past_.pop_front();
   }
-  /// Ticks until the servo has found a fault and its drives are off; then no axis may move.
-  void stop() {
+  /// Ticks until the servo has found a fault and its drives are off; then no axis may move. Drives that `hear` their
+  /// master have taken its last commands by then: on a busy machine their thread lags behind unpaced ticks.
+  void stop(bool hear = true) {
     const Tick begin = now;
     while ((servo->snapshot().fault.code == ErrorCode::none || servo->drives_on()) && now < begin + 3000) tick();
     stopped_after = now - begin;
     for (int i = 0; i < 300; ++i) tick();  // the drives' own ramps and watchdogs
+    for (int i = 0; i < 5000 && hear && operates(); ++i) {
+      tick();
+      ::usleep(2000);
+    }
     const JointVector there = rack.shafts();
     for (int i = 0; i < 50; ++i) tick();
     for (int i = 0; i < 5; ++i) {

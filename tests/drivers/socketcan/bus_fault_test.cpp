@@ -19,7 +19,7 @@ TEST_P(BusFault, StopsTheRobotAndCanBeRecovered) {
     if (!rig.bus.is_hub() && !fault.on_sockets) return;
     ASSERT_EQ(rig.fault().code, ErrorCode::none) << describe(rig.fault().code);
     fault.begin(rig);
-    rig.stop();
+    rig.stop(fault.hears);
     EXPECT_NE(std::find(fault.codes.begin(), fault.codes.end(), rig.fault().code), fault.codes.end())
         << describe(rig.fault().code) << " " << rig.text();
     EXPECT_NE(rig.text().find(fault.text), std::string::npos) << rig.text();
