@@ -28,7 +28,7 @@ Fault MotionWatch::check(const RobotModel& model, const Seen& seen, Taken taken,
     return {};
   }
   const Fault fast = check_speed(model.parameters().axes, seen.joints, taken, homing);
-  const Fault stuck = check_shafts(model, seen, taken, homing);
+  const Fault stuck = check_shafts(model, seen, taken.unseen, homing);
   if (fast.code != ErrorCode::none || !moves) return fast;
   return stuck;
 }
@@ -38,7 +38,6 @@ void MotionWatch::begin(const RobotModel& model, const Seen& seen, Taken taken) 
   readings_ = 1;
   speed_ = seen.velocity;
   set_points_.begin(seen.desired_motors);
-  taken_ = taken.time;
   motors_ = seen.motors;
   desired_there_ = desired_last_ = seen.desired_motors;
   current_there_ = seen.current;
@@ -77,13 +76,9 @@ Fault MotionWatch::check_speed(const std::vector<AxisParameters>& axes, const Jo
   return fault;
 }
 
-Fault MotionWatch::check_shafts(const RobotModel& model, const Seen& seen, Taken taken, int homing) noexcept {
+Fault MotionWatch::check_shafts(const RobotModel& model, const Seen& seen, std::uint64_t unseen, int homing) noexcept {
   set_points_.push(seen.desired_motors);
-  const JointVector* const had = set_points_.before(taken.unseen);
-  if (had == nullptr) return {};  // drives that are so far behind are silent
-  const JointVector& desired = *had;
-  const bool is_new = taken.time > taken_;
-  taken_ = taken.time;
+  const JointVector& desired = set_points_.before(unseen);
   Fault fault;
   for (Eigen::Index i = seen.motors.size(); i-- > 0;) {
     if (seen.motors[i] != motors_[i]) {
@@ -95,8 +90,7 @@ Fault MotionWatch::check_shafts(const RobotModel& model, const Seen& seen, Taken
     }
     const AxisParameters& axis = model.parameters().axes[static_cast<std::size_t>(i)];
     const double way = std::abs(desired[i] - desired_there_[i]);
-    if (is_new && !(way <= axis.stuck_max))
-      fault = {ErrorCode::axis_stuck, static_cast<int>(i), Excess{way, axis.stuck_max}};
+    if (!(way <= axis.stuck_max)) fault = {ErrorCode::axis_stuck, static_cast<int>(i), Excess{way, axis.stuck_max}};
     // a drive that homes moves on its own, in every mode
     const bool asked = seen.given || (desired[i] != desired_last_[i] && way > kTremble * increment(axis));
     const bool on_its_own = i == homing || !asked;

@@ -14,8 +14,8 @@ namespace mrroc::edp {
 /// - a joint faster than kOverspeed times its velocity limit, over kReadings readings, has run away: its drive no
 /// longer obeys; so has one that will be as fast at the next reading if it continues to gain speed, even if kTremble
 /// increments of that are the encoder's (not one that homes on its own: drives may come to their speed within a tick);
-/// - a shaft whose new readings are the very same position while the set-point that its drive had continues by
-/// `stuck_max` is jammed, or its encoder has died and the regulator will push it faster and faster;
+/// - a shaft that reads the very same position while the set-point that its drive had continues by `stuck_max` is
+/// jammed, or its encoder has died and the regulator will push it faster and faster;
 /// - so is one that reads the very same position while its current has changed by what brings the free drive, its rotor
 /// and its friction, to a speed at which a joint is faster than kPushed times its velocity limit. The current is the
 /// one that the drive was given, or, of drives that regulate on their own, the measured one.
@@ -64,7 +64,7 @@ class MotionWatch {
   void begin(const RobotModel& model, const Seen& seen, Taken taken) noexcept;
   Fault check_speed(const std::vector<AxisParameters>& axes, const JointVector& joints, Taken taken,
                     int homing) noexcept;
-  Fault check_shafts(const RobotModel& model, const Seen& seen, Taken taken, int homing) noexcept;
+  Fault check_shafts(const RobotModel& model, const Seen& seen, std::uint64_t unseen, int homing) noexcept;
   Fault check_push(const RobotModel& model, const JointVector& joints) const noexcept;
 
   double period_;
@@ -77,7 +77,6 @@ class MotionWatch {
   JointVector speed_;         ///< of the joints between the last two readings at most, rad/s or m/s
   JointVector tremble_;       ///< of a joint, rad or m, that kTremble increments of all shafts make
   SetPointHistory set_points_;
-  double taken_ = 0;           ///< time of the reading that `check_shafts` saw last
   JointVector motors_;         ///< where each shaft came to last
   JointVector desired_there_;  ///< its set-point when it came there
   JointVector desired_last_;   ///< the set-points that the drives had at the reading before

@@ -11,7 +11,7 @@ namespace mrroc::edp {
 /// The shafts' set-points of the last kLength ticks, rad. The servo's thread; allocates nothing, never throws.
 class SetPointHistory {
  public:
-  static constexpr std::size_t kLength = 64;
+  static constexpr std::size_t kLength = 512;
 
   /// Forgets all, and begins with these.
   void begin(const JointVector& set_points) noexcept {
@@ -19,10 +19,10 @@ class SetPointHistory {
     push(set_points);
   }
   void push(const JointVector& set_points) noexcept { ring_[pushed_++ % kLength] = set_points; }
-  /// Those of `ticks` before the last ones; the first ones, when there are fewer; null: they are no longer held.
-  const JointVector* before(std::uint64_t ticks) const noexcept {
-    const std::uint64_t back = std::min(ticks, pushed_ - 1);
-    return back < kLength ? &ring_[(pushed_ - 1 - back) % kLength] : nullptr;
+  /// Those of `ticks` before the last ones; the oldest that are held, when there are fewer.
+  const JointVector& before(std::uint64_t ticks) const noexcept {
+    const std::uint64_t back = std::min({ticks, pushed_ - 1, std::uint64_t{kLength - 1}});
+    return ring_[(pushed_ - 1 - back) % kLength];
   }
 
  private:
