@@ -13,18 +13,11 @@
 #include <thread>
 #include <vector>
 
+#include "cli/pictures/camera_views.hpp"
 #include "config/deployment.hpp"
 #include "mrroc/types.hpp"
-#include "sensors/camera/simulated_view.hpp"
 
 namespace mrroc::cli {
-
-/// A camera of the deployment, for the page.
-struct ShownCamera {
-  std::string name;           ///< of the sensor
-  int width = 0, height = 0;  ///< px
-  std::string reason;         ///< why it has no picture; empty: it has one
-};
 
 /// A picture of a camera, or the reason why it is missing.
 struct CameraPicture {
@@ -33,23 +26,21 @@ struct CameraPicture {
   std::string reason;
 };
 
-/// Pictures of a deployment's simulated cameras, drawn in this process from the run's events "world": the same picture
-/// as the camera's own process draws, without its noise. The run does nothing for them. A picture is drawn when a
-/// browser asks for it, one after the other in a thread of low priority; all browsers receive the same one. Cameras of
-/// real hardware have none.
+/// Pictures of a deployment's simulated cameras for browsers, drawn in this process from the run's events "world"
+/// (PictureDrawer). The run does nothing for them. A picture is drawn when a browser asks for it, one after the other
+/// in a thread of low priority; all browsers receive the same one.
 class CameraPictures {
  public:
   static constexpr std::chrono::seconds kLongestWait{3};
 
-  /// Composes the world only if a camera is simulated. A camera that cannot be shown has a reason. `longest_wait`: for
-  /// the first state, and for a picture.
+  /// As `camera_views`. `longest_wait`: for the first state, and for a picture.
   explicit CameraPictures(const config::Deployment& deployment, std::chrono::seconds longest_wait = kLongestWait);
   ~CameraPictures();
   CameraPictures(const CameraPictures&) = delete;
   CameraPictures& operator=(const CameraPictures&) = delete;
 
   /// The deployment's cameras, in its order. Any thread.
-  const std::vector<ShownCamera>& cameras() const noexcept { return cameras_; }
+  const std::vector<ShownCamera>& cameras() const noexcept { return views_.cameras; }
   /// Takes the run's newest event "world". Any thread; it draws nothing.
   void take(const std::string& event);
   /// The picture of the newest state, seen by `camera`; null: no such camera. Waits for the
@@ -67,9 +58,7 @@ class CameraPictures {
   void draw_pictures();
 
   std::chrono::seconds longest_wait_;
-  std::vector<ShownCamera> cameras_;
-  sim::Model model_;                                              ///< of the simulated world
-  std::map<std::string, vsp::SimulatedView, std::less<>> views_;  ///< of the cameras that have pictures
+  CameraViews views_;
   std::mutex mutex_;
   std::condition_variable arrived_, asked_, drawn_;
   std::map<std::string, Drawn, std::less<>> pictures_;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "cli/panel/world_event.hpp"
+#include "cli/pictures/world_event.hpp"
 #include "config/robot_parameters_file.hpp"
 #include "config/table.hpp"
 #include "sim/simulation.hpp"

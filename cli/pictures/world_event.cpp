@@ -1,4 +1,4 @@
-#include "cli/panel/world_event.hpp"
+#include "cli/pictures/world_event.hpp"
 
 #include <cstddef>
 #include <nlohmann/json.hpp>

@@ -45,6 +45,7 @@ Bridge::Bridge(const config::Ros2Entry& entry, const config::Deployment& deploym
       tf_static_(node_, "/tf_static", ros2::Durability::last),
       diagnostics_(node_, "/diagnostics"),
       rosout_(node_, "/rosout", ros2::Durability::log),
+      cameras_(node_, deployment, name_space_, kWorld),
       states_(deployment.name) {
   if (simulated) clock_.emplace(node_, "/clock");
   add_robots(deployment);
@@ -95,6 +96,8 @@ void Bridge::take(const std::string& line) {
     take_robot(json);
   } else if (event == "reading") {
     take_reading(json);
+  } else if (event == "world") {
+    cameras_.take(line, stamps_.of(json.value("tick", Tick{0}), system_ns()));
   } else if (event == "process") {
     states_.take(json);
   } else if (event == "message") {
@@ -139,6 +142,7 @@ void Bridge::log(std::uint8_t level, const std::string& text) {
 }
 
 void Bridge::beat() {
+  while (const auto problem = cameras_.take_problem()) log(messages::rcl_interfaces::Log::WARN, *problem);
   if (!frames_.transforms.empty()) {
     tf_.publish(frames_);
     frames_.transforms.clear();

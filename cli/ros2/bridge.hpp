@@ -6,6 +6,7 @@
 #include <string>
 
 #include "cli/operator/socket/run_connection.hpp"
+#include "cli/ros2/camera_topics.hpp"
 #include "cli/ros2/diagnostics.hpp"
 #include "cli/ros2/robot_topics.hpp"
 #include "cli/ros2/stamps.hpp"
@@ -52,6 +53,7 @@ class Bridge {
   ros2::Publisher<messages::tf2_msgs::TFMessage> tf_, tf_static_;
   ros2::Publisher<messages::diagnostic_msgs::DiagnosticArray> diagnostics_;
   ros2::Publisher<messages::rcl_interfaces::Log> rosout_;
+  CameraTopics cameras_;
   std::optional<ros2::Publisher<messages::rosgraph_msgs::Clock>> clock_;  // of a simulated clock
   std::optional<TriggerServices> services_;
   Diagnostics states_;

@@ -16,17 +16,6 @@ namespace {
 using messages::geometry_msgs::TransformStamped;
 using Joint = edp::Urdf::Joint;
 
-TransformStamped transform_of(std::string parent, std::string child, const Pose& pose) {
-  TransformStamped transform;
-  transform.header.frame_id = std::move(parent);
-  transform.child_frame_id = std::move(child);
-  const Eigen::Vector3d& position = pose.translation();
-  const Eigen::Quaterniond rotation(pose.linear());
-  transform.transform.translation = {position.x(), position.y(), position.z()};
-  transform.transform.rotation = {rotation.x(), rotation.y(), rotation.z(), rotation.w()};
-  return transform;
-}
-
 /// Pose of the joint's child in its parent.
 Pose moved(const Joint& joint, double position) {
   Pose motion = Pose::Identity();
@@ -70,6 +59,17 @@ std::string base_link(const std::filesystem::path& parameters, const std::string
 }
 
 }  // namespace
+
+TransformStamped transform_of(std::string parent, std::string child, const Pose& pose) {
+  TransformStamped transform;
+  transform.header.frame_id = std::move(parent);
+  transform.child_frame_id = std::move(child);
+  const Eigen::Vector3d& position = pose.translation();
+  const Eigen::Quaterniond rotation(pose.linear());
+  transform.transform.translation = {position.x(), position.y(), position.z()};
+  transform.transform.rotation = {rotation.x(), rotation.y(), rotation.z(), rotation.w()};
+  return transform;
+}
 
 RobotFrames::RobotFrames(const config::RobotEntry& robot, std::string prefix, const std::string& world)
     : name_(robot.name), prefix_(std::move(prefix)), joints_(record::joint_names(robot)) {

@@ -13,6 +13,9 @@
 
 namespace mrroc::cli {
 
+/// Pose of the frame `child` in the frame `parent`, without a time.
+messages::geometry_msgs::TransformStamped transform_of(std::string parent, std::string child, const Pose& pose);
+
 /// The frames of one robot for tf2: the links of its URDF, its base in the world or on the tool of the robot that
 /// carries it, and its tool. Frames have the names of the links behind `prefix`. One thread.
 class RobotFrames {

@@ -1,15 +1,9 @@
 #include "sensors/camera/intrinsics.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <opencv2/calib3d.hpp>
 
 namespace mrroc::vsp {
-
-Intrinsics Intrinsics::pinhole(int width, int height, double field_of_view) {
-  const double focal = height / (2 * std::tan(field_of_view / 2));
-  return {width, height, focal, focal, (width - 1) / 2.0, (height - 1) / 2.0, {}};
-}
 
 bool Intrinsics::distorted() const noexcept {
   return std::any_of(distortion.begin(), distortion.end(), [](double k) { return k != 0; });

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cmath>
 #include <vector>
 
 namespace mrroc::vsp {
@@ -23,7 +24,10 @@ struct Intrinsics {
 
   /// Of a picture without distortion: f = height / (2 tan(field_of_view / 2)), its middle at ((w - 1) / 2, (h - 1) /
   /// 2). `field_of_view`: of the picture's height, rad.
-  static Intrinsics pinhole(int width, int height, double field_of_view);
+  static Intrinsics pinhole(int width, int height, double field_of_view) noexcept {
+    const double focal = height / (2 * std::tan(field_of_view / 2));
+    return {width, height, focal, focal, (width - 1) / 2.0, (height - 1) / 2.0, {}};
+  }
 
   /// Direction with z = 1 in which the ideal pixel is seen.
   Eigen::Vector3d ray(const Eigen::Vector2d& pixel) const noexcept {

@@ -32,9 +32,17 @@ TOPICS = {  # of press: type, whether a late subscriber receives the last messag
     "/diagnostics": ("diagnostic_msgs/msg/DiagnosticArray", False),
     "/rosout": ("rcl_interfaces/msg/Log", True),
 }
+INSPECT = SOURCE / "tasks/inspect/inspect.toml"
+CAMERA_TOPICS = {  # of inspect
+    "/eye/image_raw": ("sensor_msgs/msg/Image", False),
+    "/eye/camera_info": ("sensor_msgs/msg/CameraInfo", False),
+}
+KINDS = TOPICS | CAMERA_TOPICS
 PUBLISHED_HASHES = {
     "std_msgs::msg::dds_::String_": "RIHS01_df668c740482bbd48fb39d76a70dfd4bd59db1288021743503259e948f6b1a18",
     "sensor_msgs::msg::dds_::JointState_": "RIHS01_a13ee3a330e346c9d87b5aa18d24e11690752bd33a0350f11c5882bc9179260e",
+    "sensor_msgs::msg::dds_::Image_": "RIHS01_d31d41a9a4c4bc8eae9be757b0beed306564f7526c88ea6a4588fb9582527d47",
+    "sensor_msgs::msg::dds_::CameraInfo_": "RIHS01_b3dfd68ff46c9d56c80fd3bd4ed22c7a4ddce8c8348f2f59c299e73118e7e275",
 }
 JOINTS = ["column", "lower_arm", "upper_arm", "wrist_pitch", "wrist_roll", "tool_roll"]
 
@@ -80,12 +88,12 @@ class Ros2(unittest.TestCase):
         node = rosless.Node(DOMAIN)
         readers = {}
         for name in names:
-            kind, last = TOPICS[name]
+            kind, last = KINDS[name]
             readers[name] = node.subscribe(name, kind, wait=0.0, reliability="reliable", durability="transient_local" if last else "volatile")
         ready()
         found = {name: [] for name in names}
         end = time.monotonic() + 60
-        while any(len(found[name]) < (1 if TOPICS[name][1] else enough) for name in names):
+        while any(len(found[name]) < (1 if KINDS[name][1] else enough) for name in names):
             self.assertLess(time.monotonic(), end, {name: len(each) for name, each in found.items()})
             for name, reader in readers.items():
                 if (message := reader.read(timeout=0.002)) is not None:
@@ -155,6 +163,47 @@ class Ros2(unittest.TestCase):
                 seen.append(frame)
                 self.assertIn(frame, parents, f"{seen[0]} is not below the world")
                 frame = parents[frame]
+
+    def test_a_simulated_camera_is_pictures_with_their_intrinsics(self):
+        run = self.run_press("--clock", "paced", "--ros2", "--hold", deployment=INSPECT)
+        run.wait_for("ros2: node /mrroc_inspect")
+        found = self.receive(list(CAMERA_TOPICS), 3)
+        writers = endpoints(DOMAIN, {f"rt{name}" for name in CAMERA_TOPICS})
+        for type_name, data in (writers[f"rt{name}"] for name in CAMERA_TOPICS):
+            self.assertEqual(data, f"typehash={PUBLISHED_HASHES[type_name]};")
+        focal = 240 / 2 / numpy.tan(0.8 / 2)
+        for image in found["/eye/image_raw"]:
+            self.assertEqual((image.width, image.height, image.step, image.encoding), (320, 240, 960, "rgb8"))
+            pixels = numpy.frombuffer(bytes(image.data), numpy.uint8).reshape(240, 320, 3)
+            self.assertLess(pixels.min(), 60)
+            self.assertGreater(pixels.max(), 150)
+            self.assertGreater(len(numpy.unique(pixels)), 20)
+        for info in found["/eye/camera_info"]:
+            self.assertEqual((info.width, info.height, info.header.frame_id), (320, 240, "eye"))
+            numpy.testing.assert_allclose(info.k, [focal, 0, 159.5, 0, focal, 119.5, 0, 0, 1])
+        images, infos = ([seconds(each.header.stamp) for each in found[name]] for name in CAMERA_TOPICS)
+        self.assertTrue(set(images) & set(infos), "a picture and its intrinsics have one time")
+        pictures = self.receive(["/eye/image_raw", "/tf"], 60)["/tf"]
+        frames = [each for message in pictures for each in message.transforms if each.child_frame_id == "eye"]
+        self.assertTrue(frames, "no frame of the camera")
+        self.assertEqual({each.header.frame_id for each in frames}, {"world"})
+
+    def test_who_receives_pictures_changes_nothing(self):
+        trace = self.folder / "quiet.trace"
+        self.run_press("--clock", "lockstep", "--trace", trace, deployment=INSPECT).end()
+        reader = rosless.Node(DOMAIN).subscribe("/eye/image_raw", CAMERA_TOPICS["/eye/image_raw"][0], wait=0.0)
+        pictures, hashes = 0, set()
+        for number in range(20):  # on a busy machine a run may be over before its first picture is drawn
+            watched = self.folder / f"{number}.trace"
+            run = self.run_press("--clock", "lockstep", "--ros2", "--trace", watched, deployment=INSPECT)
+            while run.process.poll() is None:
+                pictures += reader.read(timeout=0.05) is not None
+            run.end()
+            hashes.add(trace_hash(watched))
+            if pictures:
+                break
+        self.assertGreater(pictures, 0)
+        self.assertEqual(hashes, {trace_hash(trace)})
 
     def test_real_robots_have_the_systems_time(self):
         before = time.time()

@@ -23,4 +23,9 @@ RawPublisher::RawPublisher(RawPublisher&&) noexcept = default;
 
 bool RawPublisher::write(CdrBytes cdr) noexcept { return dds_write(impl_->writer.get(), &cdr) == DDS_RETCODE_OK; }
 
+bool RawPublisher::is_received() const noexcept {
+  dds_publication_matched_status_t status{};
+  return dds_get_publication_matched_status(impl_->writer.get(), &status) == DDS_RETCODE_OK && status.current_count > 0;
+}
+
 }  // namespace mrroc::ros2

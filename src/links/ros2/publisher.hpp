@@ -25,6 +25,8 @@ class RawPublisher {
   /// `cdr`: with its header. A subscriber that does not acknowledge holds it up for 0.1 s at most; the message is lost
   /// for that one then. Returns whether it was sent.
   bool write(std::vector<std::byte> cdr) noexcept;
+  /// Whether any subscriber receives the messages.
+  bool is_received() const noexcept;
 
  private:
   struct Impl;
@@ -40,6 +42,7 @@ class Publisher {
       : raw_(node, topic, Message::kType, Message::kHash, durability) {}
 
   bool publish(const Message& message) { return raw_.write(messages::to_cdr(message)); }
+  bool is_received() const noexcept { return raw_.is_received(); }
 
  private:
   RawPublisher raw_;
