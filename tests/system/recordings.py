@@ -4,6 +4,7 @@ The program's arguments are BUILD_FOLDER SOURCE_FOLDER [NAME]: all its tests, or
 """
 
 import hashlib
+import os
 import pathlib
 import subprocess
 import sys
@@ -25,18 +26,21 @@ JOINTS = {  # as in the URDFs
 }
 
 
-def mrroc(*words, expected=0):
-    """Its output, and its errors."""
-    done = subprocess.run([MRROC, *map(str, words)], capture_output=True, text=True, cwd=SOURCE, timeout=300, check=False)
+def mrroc(*words, expected=0, delay=None):
+    """Its output, and its errors. `delay`: s for which the disk does not take the recording."""
+    environment = dict(os.environ)
+    if delay is not None:  # a sanitizer wants to be loaded first
+        environment |= {"LD_PRELOAD": str(BUILD / "tests/slow_disk.so"), "MRROC_TEST_DISK_DELAY": str(delay), "ASAN_OPTIONS": "verify_asan_link_order=0"}
+    done = subprocess.run([MRROC, *map(str, words)], capture_output=True, text=True, cwd=SOURCE, timeout=300, check=False, env=environment)
     assert done.returncode == expected, f"{words}: exit code {done.returncode}, expected {expected}\n{done.stdout}{done.stderr}"
     return done.stdout, done.stderr
 
 
-def run(deployment, folder, name, *words, expected=0):
+def run(deployment, folder, name, *words, expected=0, delay=None):
     """A lockstep run with trace and recording: their files, and its errors."""
     trace, recording = folder / f"{name}.trace", folder / f"{name}.mcap"
     _, errors = mrroc("run", deployment, "--quiet", "--clock", "lockstep", "--black-box", "", "--trace", trace, "--record", recording,
-                      *words, expected=expected)
+                      *words, expected=expected, delay=delay)
     return trace, recording, errors
 
 

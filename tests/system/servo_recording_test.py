@@ -4,6 +4,8 @@ is the same in every lockstep run; the run does not change.
 Usage: servo_recording_test.py BUILD_FOLDER SOURCE_FOLDER [NAME]: all tests, or this one
 """
 
+import re
+
 from recordings import JOINTS, PERIOD, PICK, PRESS, messages, mrroc, nanoseconds, run, run_tests, sha
 
 SERVO = ["--record-rate", "servo"]
@@ -41,9 +43,9 @@ def check_agrees_with_steps(found, robot, ticks):
 
 
 def test_press(folder):
-    """One arm with a force sensor: two runs, one recording; the force rises within single ticks."""
+    """One arm with a force sensor: two runs, one with a slow disk, one recording; the force rises within single ticks."""
     steps_only, _, _ = run(PRESS, folder, "steps")
-    runs = [run(PRESS, folder, f"press{i}", *SERVO) for i in range(2)]
+    runs = [run(PRESS, folder, f"press{i}", *SERVO, delay=delay) for i, delay in enumerate((None, 4))]
     assert sha(runs[0][1]) == sha(runs[1][1]), "two runs, two recordings"
     trace, recording, _ = runs[0]
     assert trace.read_bytes() == steps_only.read_bytes(), "the recording changes the run"
@@ -94,11 +96,32 @@ def test_killed_edp(folder):
     assert ticks == list(range(len(ticks))) and event.tick - 2 <= ticks[-1] <= event.tick + 1, (ticks[-1], event.tick)
 
 
-def test_real_clock(folder):
-    """Under the real clock nothing is dropped; a tick that the servo missed has no message."""
+def real_arm(folder):
+    """A deployment of one arm under the real clock."""
     deployment = folder / "short.toml"
     deployment.write_text('[deployment]\nname = "short"\nclock = "real"\n[robots.arm]\ntype = "irb6"\nprogram = "irb6_demo"\n'
                           'hardware = "loopback"\n', encoding="utf-8")
+    return deployment
+
+
+def test_slow_disk(folder):
+    """No process waits for a slow disk: what finds no room is dropped and counted, and the file is whole."""
+    deployment, recording = real_arm(folder), folder / "slow.mcap"
+    output, _ = mrroc("run", deployment, "--record", recording, *SERVO, delay=4)
+    ran = int(re.search(r"arm_edp +(\d+) ticks", output)[1])
+    found = messages(recording)
+    ticks = [message.tick for _, message in found["/arm/servo"]]
+    end = found["/servo_ends"][-1][1]
+    assert ticks == sorted(set(ticks)) and end.ticks == len(ticks)
+    # the report has the counts of the last status, some ticks before the end
+    assert end.dropped > 0 and end.ticks + end.dropped >= ran > 1000, (end.ticks, end.dropped, ran)
+    assert f"{end.dropped} ticks of arm_edp" in output, output
+    print(f"slow disk: {end.dropped} of {ran} ticks dropped")
+
+
+def test_real_clock(folder):
+    """Under the real clock nothing is dropped; a tick that the servo missed has no message."""
+    deployment = real_arm(folder)
     recording = folder / "real.mcap"
     mrroc("run", deployment, "--quiet", "--record", recording, *SERVO)
     found = messages(recording)
