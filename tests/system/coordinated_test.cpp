@@ -34,26 +34,42 @@ std::size_t count(const std::string& text, const std::string& word) {
   return found;
 }
 
-/// Runs it twice in lockstep and once under the real clock. The traces keep the rules of `mrroc trace check`, in
-/// lockstep they are equal. The lines appear in this order; under the real clock they are those of a run whose commands
-/// were in time, which a busy host may prevent. Returns the trace of the first run.
-std::string expect_lines(const std::filesystem::path& file, const std::vector<std::string>& lines, int code = 0) {
-  const ScratchFolder folder;
-  const std::vector<std::string> clocks{"lockstep", "lockstep", "real"};
-  for (std::size_t run = 0; run < clocks.size(); ++run) {
-    const auto trace = folder.path() / std::to_string(run);
-    const std::string output =
-        run_mrroc({"run", file.string(), "--quiet", "--clock", clocks[run], "--trace", trace.string()}, code);
-    if (count(content(trace), " late=") > 0) continue;
-    std::size_t from = 0;
-    for (const std::string& line : lines) {
-      const std::size_t at = output.find(line, from);
-      EXPECT_NE(at, std::string::npos) << "'" << line << "' is missing (" << clocks[run] << ") in\n" << output;
-      if (at != std::string::npos) from = at + line.size();
-    }
+/// The first of the lines that does not appear in this order; empty: all do.
+std::string missing_line(const std::string& output, const std::vector<std::string>& lines) {
+  std::size_t from = 0;
+  for (const std::string& line : lines) {
+    const std::size_t at = output.find(line, from);
+    if (at == std::string::npos) return line;
+    from = at + line.size();
   }
-  EXPECT_EQ(trace_hash(folder.path() / "0"), trace_hash(folder.path() / "1"));
-  return content(folder.path() / "0");
+  return {};
+}
+
+/// Runs it twice in lockstep and under the real clock. The traces keep the rules of `mrroc trace check`, in lockstep
+/// they are equal. The lines appear in this order; under the real clock they are those of a run whose commands were in
+/// time, also those that set the arms in motion: a busy host gets further attempts. Returns the trace of the first run.
+std::string expect_lines(const std::filesystem::path& file, const std::vector<std::string>& lines, int code = 0) {
+  constexpr int kAttempts = 6;
+  const ScratchFolder folder;
+  const auto run = [&](const std::string& clock, const std::string& trace) {
+    return run_mrroc({"run", file.string(), "--quiet", "--clock", clock, "--trace", folder / trace}, code);
+  };
+  for (const std::string trace : {"0", "1"}) {
+    const std::string output = run("lockstep", trace);
+    EXPECT_EQ(missing_line(output, lines), "") << "in lockstep, in\n" << output;
+  }
+  std::string wrong;
+  bool shown = false;
+  for (int i = 0; i < kAttempts && !shown; ++i) {
+    const std::string trace = "real" + std::to_string(i), output = run("real", trace);
+    if (count(content(folder / trace), " late=") > 0) continue;
+    const std::string missing = missing_line(output, lines);
+    shown = missing.empty();
+    if (!shown) wrong = "'" + missing + "' is missing under the real clock in\n" + output;
+  }
+  EXPECT_TRUE(shown || wrong.empty()) << wrong;
+  EXPECT_EQ(trace_hash(folder / "0"), trace_hash(folder / "1"));
+  return content(folder / "0");
 }
 
 TEST(Coordinated, EcpThatCommandsWhatItsMpDoesChangesNothing) {

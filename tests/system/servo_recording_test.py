@@ -105,18 +105,20 @@ def real_arm(folder):
 
 
 def test_slow_disk(folder):
-    """No process waits for a slow disk: what finds no room is dropped and counted, and the file is whole."""
+    """No process waits for a disk that stands still: what finds no room is dropped and counted, and the file is whole."""
     deployment, recording = real_arm(folder), folder / "slow.mcap"
     output, _ = mrroc("run", deployment, "--record", recording, *SERVO, delay=4)
     ran = int(re.search(r"arm_edp +(\d+) ticks", output)[1])
     found = messages(recording)
     ticks = [message.tick for _, message in found["/arm/servo"]]
-    end = found["/servo_ends"][-1][1]
-    assert ticks == sorted(set(ticks)) and end.ticks == len(ticks)
+    servo = found["/servo_ends"][-1][1]
+    assert ticks == sorted(set(ticks)) and servo.ticks == len(ticks)
     # the report has the counts of the last status, some ticks before the end
-    assert end.dropped > 0 and end.ticks + end.dropped >= ran > 1000, (end.ticks, end.dropped, ran)
-    assert f"{end.dropped} ticks of arm_edp" in output, output
-    print(f"slow disk: {end.dropped} of {ran} ticks dropped")
+    assert servo.ticks + servo.dropped >= ran > 1000, (servo.ticks, servo.dropped, ran)
+    task = next(end for _, end in found["/process_ends"] if end.process == "arm")
+    assert task.steps == len(found["/arm/steps"]) > 100 and task.dropped > 0
+    assert f"lacks {task.dropped} steps of arm" in output, output
+    print(f"slow disk: {task.dropped} steps and {servo.dropped} ticks dropped")
 
 
 def test_real_clock(folder):

@@ -1,0 +1,48 @@
+"""Sixteen robots at 500 Hz on one machine under the real clock, without and with a recording of every servo tick, in pairs.
+
+sixteen_robots.py [BUILD_DIR] [--pairs N]: prints, of each run, the ticks of all servos, those missed, late commands, and the median and
+the worst p99 of a tick's duration; in runs with a recording also what was dropped, and the size of the file.
+"""
+
+import argparse
+import pathlib
+import re
+import statistics
+import subprocess
+import tempfile
+
+ROBOT = '[robots.r{}]\ntype = "irb6"\nprogram = "irb6_demo"\nhardware = "loopback"\n'
+DEPLOYMENT = '[deployment]\nname = "sixteen"\nclock = "real"\n' + "".join(ROBOT.format(number) for number in range(1, 17))
+LINE = re.compile(r"_edp +(\d+) ticks, (\d+) missed, (\d+) late commands;.*tick p50 (\d+) p99 (\d+)")
+
+
+def run(mrroc, folder, recorded):
+    deployment, recording = folder / "sixteen.toml", folder / "sixteen.mcap"
+    deployment.write_text(DEPLOYMENT, encoding="utf-8")
+    words = ["--record", recording, "--record-rate", "servo"] if recorded else []
+    done = subprocess.run([mrroc, "run", deployment, "--black-box=", *words], capture_output=True, text=True, check=True)
+    rows = [tuple(map(int, row)) for row in LINE.findall(done.stdout)]
+    if len(rows) != 16:
+        raise RuntimeError(f"{len(rows)} robots have reported\n{done.stdout}")
+    ticks, missed, late, p50, p99 = zip(*rows)
+    text = f"{sum(ticks)} ticks, {sum(missed)} missed, {sum(late)} late commands; tick p50 {statistics.median(p50)} us, p99 {max(p99)} us at worst"
+    if recorded:
+        dropped = re.search(r"lacks (.*): the disk", done.stdout + done.stderr)
+        text += f"; {dropped[0] if dropped else 'nothing dropped'}, {recording.stat().st_size / 1e6:.1f} MB"
+    return text
+
+
+def main():
+    arguments = argparse.ArgumentParser()
+    arguments.add_argument("build", nargs="?", default="build")
+    arguments.add_argument("--pairs", type=int, default=3)
+    given = arguments.parse_args()
+    mrroc = pathlib.Path(given.build).resolve() / "bin/mrroc"
+    for _ in range(given.pairs):
+        for recorded in (False, True):
+            with tempfile.TemporaryDirectory() as folder:
+                print(f"{'recorded' if recorded else 'alone':9}{run(mrroc, pathlib.Path(folder), recorded)}", flush=True)
+
+
+if __name__ == "__main__":
+    main()
