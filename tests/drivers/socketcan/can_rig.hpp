@@ -24,7 +24,7 @@ namespace mrroc::edp {
 
 inline constexpr double kCanPeriod = 0.002;
 /// Ticks as fast as the bus allows; a busy machine does not make a node silent.
-inline constexpr CanHardware::Timing kTestTiming{0.2};
+inline constexpr CanHardware::Timing kTestTiming{0.5};
 
 /// A table of drives for any robot: nodes 1, 2, ...
 inline config::DriveTable table_for(const RobotParameters& robot, canopen::DriveMode mode) {
