@@ -25,7 +25,8 @@ struct CameraViews {
   std::map<std::string, vsp::SimulatedView, std::less<>> views;  ///< by the names of the cameras that have pictures
 };
 
-/// Composes the world only if a camera is simulated. A camera that cannot be shown has a reason.
+/// Composes the world only if a camera is simulated. What prevents a camera's picture is its reason and is not thrown.
+/// Any thread.
 CameraViews camera_views(const config::Deployment& deployment);
 
 }  // namespace mrroc::cli

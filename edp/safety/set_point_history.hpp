@@ -8,7 +8,8 @@
 
 namespace mrroc::edp {
 
-/// The shafts' set-points of the last kLength ticks, rad. The servo's thread; allocates nothing, never throws.
+/// The shafts' set-points of the last kLength ticks, rad. `begin` comes first. The servo's thread; allocates nothing,
+/// never throws.
 class SetPointHistory {
  public:
   static constexpr std::size_t kLength = 512;
