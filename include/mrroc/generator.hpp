@@ -41,6 +41,8 @@ class Generator {
   virtual bool terminal_condition() { return false; }
   /// f_e*: writes `robot.command()` of every robot that it moves; the other robots hold. Must not allocate.
   virtual void next_state() = 0;
+  /// Called once when a Move that has called `start()` ends, for any reason.
+  virtual void finish() noexcept {}
 
   /// Adds a terminal condition; several are alternatives (`||`).
   template <ConditionType C>

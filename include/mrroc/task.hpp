@@ -14,6 +14,7 @@
 namespace mrroc {
 
 class StepObserver;
+class TrajectoryLink;
 
 /// The request of the operator or the superior process for the current instruction.
 enum class OperatorRequest : std::uint8_t {
@@ -51,6 +52,9 @@ class Task {
   virtual RobotLink& robot_link(const std::string& name, const std::string& type) = 0;
   /// The link to sensor `name` of type `type`, in the same manner. `interactive`: how it is deployed.
   virtual SensorLink& sensor_link(const std::string& name, const std::string& type, bool& interactive) = 0;
+
+  /// The link on which trajectories of other programs come; null: none come.
+  virtual TrajectoryLink* trajectory_link() noexcept { return nullptr; }
 
   /// Length of a servo tick, s.
   virtual double servo_period() const noexcept = 0;

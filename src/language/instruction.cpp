@@ -32,6 +32,17 @@ bool ends_in_motion(const RobotCommand& command) {
 /// The robot should continue to move but reports that it comes to rest: no command came in time.
 bool has_braked(const Robot& robot) { return ends_in_motion(robot.command()) && robot.state().at_rest(); }
 
+/// Declared before the instruction's own ends, so that these come first.
+struct FinishOfGenerator {
+  Generator*& generator;
+  explicit FinishOfGenerator(Generator*& started) : generator(started) {}
+  FinishOfGenerator(const FinishOfGenerator&) = delete;
+  FinishOfGenerator& operator=(const FinishOfGenerator&) = delete;
+  ~FinishOfGenerator() {
+    if (generator != nullptr) generator->finish();
+  }
+};
+
 StepEnding ending_of(ErrorClass error_class) {
   if (error_class == ErrorClass::non_fatal) return StepEnding::non_fatal_error;
   return error_class == ErrorClass::hardware ? StepEnding::hardware_error : StepEnding::system_error;
@@ -57,6 +68,7 @@ Instruction::Instruction(const RobotList& robots, const SensorList& sensors, Gen
 
 Outcome Instruction::run() {
   const ExclusiveUse use(robots_, sensors_);
+  const FinishOfGenerator finish{started_};
   begin_record();
   join_superior();
   try {
@@ -90,6 +102,7 @@ Outcome Instruction::run_steps() {
   speed_.begin();
   if (generator_ != nullptr) {
     const SpeedOverride::OwnTime own_time(speed_);
+    started_ = generator_;
     generator_->start();
   }
   late_ = late_commands();

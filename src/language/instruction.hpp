@@ -83,6 +83,7 @@ class Instruction {
   std::vector<Robot*> robots_;
   std::vector<Sensor*> sensors_;
   Generator* generator_;
+  Generator* started_ = nullptr;
   std::shared_ptr<Condition> condition_;
   std::vector<const Condition*> leaves_;
   Task* task_ = nullptr;

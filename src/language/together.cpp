@@ -49,4 +49,8 @@ void Together::next_state() {
     if (!part.ended) part.generator->next_state();
 }
 
+void Together::finish() noexcept {
+  for (Part& part : parts_) part.generator->finish();
+}
+
 }  // namespace mrroc

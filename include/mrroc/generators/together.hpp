@@ -33,6 +33,7 @@ class Together : public Generator {
   bool brake() override;
   bool terminal_condition() override;
   void next_state() override;
+  void finish() noexcept override;
   /// If all parts do: they are executed in the same time.
   bool scales_with_speed() const override;
 
