@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "config/entries/robot_orders.hpp"
+#include "config/entries/trajectory_entry.hpp"
 #include "config/text/message_text.hpp"
 
 namespace mrroc::cli {
@@ -55,6 +56,8 @@ std::string text_of(const config::Event& event, const config::Deployment& deploy
     text += "value = " + config::number_text(event.value) + "\n";
     if (event.question != 0) text += "question = " + std::to_string(event.question) + "\n";
   }
+  if (event.command == "follow" || event.command == "cancel") text += "robot = \"" + event.order.robot + "\"\n";
+  if (event.trajectory) text += config::text_of(*event.trajectory);
   if (event.command == "speed") text += "value = " + config::number_text(event.value) + "\n";
   if (config::is_robot_order(event.command)) text += text_of(event.command, event.order);
   return text + "\n";

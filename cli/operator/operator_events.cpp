@@ -12,7 +12,7 @@ namespace mrroc::cli {
 namespace {
 
 /// Orders that power or move a robot.
-constexpr std::string_view kMotions[]{"jog", "step", "go", "synchronise", "recover"};
+constexpr std::string_view kMotions[]{"jog", "step", "go", "synchronise", "recover", "follow"};
 
 constexpr Tick kTicksToCheck = 1, kTicksToCheckInRealTime = 2;  // after a press: every servo has then checked it
 
@@ -35,12 +35,13 @@ const char* name_of(TaskPhase phase) noexcept {
 }
 
 OperatorEvents::OperatorEvents(Schedule schedule, clock::EmergencyStop& emergency_stop, links::TaskSuperior& mp,
-                               AnswerLinks& answers, RobotOrders& robots, bool real)
+                               AnswerLinks& answers, RobotOrders& robots, Trajectories& trajectories, bool real)
     : schedule_(std::move(schedule)),
       emergency_stop_(emergency_stop),
       mp_(mp),
       answers_(answers),
       robots_(robots),
+      trajectories_(trajectories),
       real_(real) {}
 
 void OperatorEvents::schedule(const config::Deployment& deployment, bool hold) {
@@ -106,6 +107,11 @@ void OperatorEvents::perform(config::Event event, Tick tick, std::uint64_t ticke
   if (config::is_robot_order(event.command)) {
     refused = check_order(event.command);
     if (refused.text == nullptr) number = robots_.send(event.command, event.order, phase_ == TaskPhase::paused);
+  } else if (event.command == "follow") {
+    refused = check_order(event.command);
+    if (refused.text == nullptr) number = follow(event, tick);
+  } else if (event.command == "cancel") {
+    trajectories_.cancel(event.order.robot);
   } else if (event.command == "answer") {
     answers_.at(event.asker)->answer({event.question, event.value});
   } else if (event.command == "speed") {
@@ -129,6 +135,18 @@ void OperatorEvents::perform(config::Event event, Tick tick, std::uint64_t ticke
   }
   if (refused.text == nullptr) report_(event);
   performed_.push_back({std::move(event), ticket, number, refused});
+}
+
+std::uint64_t OperatorEvents::follow(const config::Event& event, Tick tick) {
+  const std::uint64_t number = trajectories_.begin();
+  send_part(event, number, 0, tick);
+  return number;
+}
+
+void OperatorEvents::send_part(const config::Event& event, std::uint64_t number, std::size_t index, Tick tick) {
+  trajectories_.send(event.order.robot, number, *event.trajectory, index);
+  if (++index < Trajectories::parts_of(*event.trajectory))
+    schedule_.at_tick(tick + 1, [this, event, number, index](Tick now) { send_part(event, number, index, now); });
 }
 
 void OperatorEvents::command_task(const std::string& command) {

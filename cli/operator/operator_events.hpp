@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "cli/operator/robot_orders.hpp"
+#include "cli/operator/trajectories.hpp"
 #include "clock/emergency_stop.hpp"
 #include "clock/tick_events.hpp"
 #include "config/deployment.hpp"
@@ -48,7 +49,7 @@ class OperatorEvents {
   struct Performed {
     config::Event event;       ///< with the tick at which it took effect
     std::uint64_t ticket = 0;  ///< of `give`; 0: an event of the deployment
-    std::uint64_t number = 0;  ///< of an order to a robot, by RobotOrders
+    std::uint64_t number = 0;  ///< of an order to a robot, by RobotOrders; of a trajectory, by Trajectories
     Refused refused{};
   };
 
@@ -60,7 +61,7 @@ class OperatorEvents {
 
   /// All must outlive the last tick. `real`: the deployment's clock is the real one.
   OperatorEvents(Schedule schedule, clock::EmergencyStop& emergency_stop, links::TaskSuperior& mp, AnswerLinks& answers,
-                 RobotOrders& robots, bool real);
+                 RobotOrders& robots, Trajectories& trajectories, bool real);
 
   /// Whether every press and reset of the emergency stop has arrived at every host; asked by any thread. Without this
   /// call there is no other host. Before `schedule`.
@@ -99,6 +100,9 @@ class OperatorEvents {
   /// The tick at which a reset due at `tick` takes effect: every servo has checked the emergency stop before.
   Tick tick_of_reset(Tick tick);
   Refused check_order(const std::string& command) const;
+  /// Begins to send it, one part a tick. Returns its number.
+  std::uint64_t follow(const config::Event& event, Tick tick);
+  void send_part(const config::Event& event, std::uint64_t number, std::size_t index, Tick tick);
   void command_task(const std::string& command);
 
   const Schedule schedule_;
@@ -106,6 +110,7 @@ class OperatorEvents {
   links::TaskSuperior& mp_;
   AnswerLinks& answers_;
   RobotOrders& robots_;
+  Trajectories& trajectories_;
   const bool real_;
   std::function<bool()> arrived_ = [] { return true; };
   std::function<void(const config::Event& event)> report_ = [](const config::Event&) {};

@@ -15,10 +15,12 @@ namespace mrroc::cli {
 
 OperatorService::OperatorService(const config::Deployment& deployment) : deployment_(deployment) {}
 
-void OperatorService::connect(OperatorEvents& events, Questions& questions, RobotOrders& robots) {
+void OperatorService::connect(OperatorEvents& events, Questions& questions, RobotOrders& robots,
+                              Trajectories& trajectories) {
   events_ = &events;
   questions_ = &questions;
   robots_ = &robots;
+  trajectories_ = &trajectories;
 }
 
 void OperatorService::request(const OperatorClient& client, const VerbRequest& request, Reply reply) {
@@ -59,6 +61,7 @@ VerbReply OperatorService::execute(const OperatorClient& client, const VerbReque
   }
   if (verb == "answer") return give_answer(request, event);
   if (verb == "speed") return give_speed(request, event);
+  if (verb == "follow" || verb == "cancel") return give_trajectory(request, event);
   if (config::is_robot_order(verb)) return give_order(request, event);
   event = config::Event{.command = std::string{verb}};
   return {};
@@ -165,7 +168,8 @@ VerbReply OperatorService::report() const {
                         .emergency_stopped = events_ != nullptr && events_->emergency_stopped(),
                         .commander = holder_.name(),
                         .processes = statuses_,
-                        .questions = questions_});
+                        .questions = questions_,
+                        .yielded = trajectories_ == nullptr ? std::vector<std::string>{} : trajectories_->yielded()});
   return reply;
 }
 
@@ -189,6 +193,8 @@ void OperatorService::leave(const OperatorClient& client) {
     if (pending.client.number == client.number) pending.reply = nullptr;
   for (auto& [robot, ordered] : ordered_)
     if (ordered.pending.client.number == client.number) ordered.pending.reply = nullptr;
+  for (auto& [number, followed] : followed_)
+    if (followed.pending.client.number == client.number) followed.pending.reply = nullptr;
   for (auto& [pending, tick] : resets_)
     if (pending.client.number == client.number) pending.reply = nullptr;
   if (holder_.release(client)) publish_holder();
@@ -199,12 +205,14 @@ void OperatorService::poll() {
   // first the answers: the orders that they belong to have then been performed
   std::vector<RobotOrders::Answer> answers;
   for (RobotOrders::Answer answer; robots_->take(answer);) answers.push_back(answer);
+  const std::vector<TrajectoryReport> reports = trajectories_->take_reports();
   for (const OperatorEvents::Performed& performed : events_->take_performed()) {
     reply_to(performed);
     if (note_ && performed.refused.text == nullptr) note_(performed.event);
   }
   reply_to_resets();
   for (const RobotOrders::Answer& answer : answers) take_answer(answer);
+  for (const TrajectoryReport& report : reports) take_report(report);
   const OpenQuestion* const first = questions_->find("");
   const std::string key = first == nullptr ? "" : first->asker + " " + std::to_string(first->number);
   if (key != published_question_ && first != nullptr) publish_(question_event(*first), "");

@@ -13,6 +13,7 @@
 #include "cli/operator/operator_events.hpp"
 #include "cli/operator/questions.hpp"
 #include "cli/operator/robot_orders.hpp"
+#include "cli/operator/trajectories.hpp"
 #include "cli/operator/verb_reply.hpp"
 #include "cli/operator/verb_request.hpp"
 #include "cli/operator/watched_states.hpp"
@@ -36,7 +37,7 @@ class OperatorService {
 
   /// Before this call, while the processes are being started, `status`, `echo`, `command` and `release` work, and
   /// `stop` and `estop` end the run. All outlive the service's last call.
-  void connect(OperatorEvents& events, Questions& questions, RobotOrders& robots);
+  void connect(OperatorEvents& events, Questions& questions, RobotOrders& robots, Trajectories& trajectories);
   void publish_to(Publish publish) { publish_ = std::move(publish); }
   /// Receives every command that has taken effect, in order; it may throw, out of `poll`.
   void note_to(Note note) { note_ = std::move(note); }
@@ -72,6 +73,11 @@ class OperatorService {
     std::optional<std::int64_t> id;
   };
 
+  struct Followed {
+    std::string robot;
+    Pending pending;
+  };
+
   struct Ordered {
     std::uint64_t number = 0;
     std::string command;
@@ -88,6 +94,11 @@ class OperatorService {
   VerbReply check_answered(const config::Event& event) const;
   void order_given(const OperatorEvents::Performed& performed, Pending pending);
   void take_answer(const RobotOrders::Answer& answer);
+  // ---- in operator_service_trajectories.cpp
+  VerbReply give_trajectory(const VerbRequest& request, std::optional<config::Event>& event) const;
+  void take_report(const TrajectoryReport& report);
+  void end_trajectory(std::uint64_t number, VerbReply reply);
+
   VerbReply report() const;
   VerbReply record(const OperatorClient& client, const std::string& file) const;
   /// Why the verb has no effect in the present phase; ok when it has one.
@@ -101,6 +112,7 @@ class OperatorService {
   OperatorEvents* events_ = nullptr;
   Questions* questions_ = nullptr;
   RobotOrders* robots_ = nullptr;
+  Trajectories* trajectories_ = nullptr;
   Publish publish_ = [](const std::string&, const std::string&) {};
   Note note_;
   std::function<void()> end_ = [] {};
@@ -109,6 +121,7 @@ class OperatorService {
   std::map<std::uint64_t, Pending> pending_;      // by ticket
   std::vector<std::pair<Pending, Tick>> resets_;  // performed, but perhaps not on every host
   std::map<std::string, Ordered> ordered_;        // by robot: the order without an answer so far
+  std::map<std::uint64_t, Followed> followed_;    // by number: trajectories that have not ended
   std::map<std::string, links::ProcessStatus> statuses_;
   std::string published_question_;
 };

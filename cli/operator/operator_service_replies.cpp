@@ -64,6 +64,11 @@ void OperatorService::reply_to(const OperatorEvents::Performed& performed) {
   publish_(command_event(performed.event, by, phase()),
            shown ? "" : performed.event.command + " by " + by + " at tick " + std::to_string(performed.event.tick));
   if (pending == pending_.end()) return;
+  if (performed.event.command == "follow") {
+    followed_.emplace(performed.number, Followed{performed.event.order.robot, std::move(pending->second)});
+    pending_.erase(pending);
+    return;
+  }
   if (performed.number != 0) {
     order_given(performed, std::move(pending->second));
     pending_.erase(pending);
@@ -101,6 +106,7 @@ void OperatorService::end(int exit_code, const std::string& reason) {
   for (const auto& [ticket, pending] : std::exchange(pending_, {})) refuse_pending(pending);
   for (const auto& [pending, tick] : std::exchange(resets_, {})) refuse_pending(pending);
   for (const auto& [robot, ordered] : std::exchange(ordered_, {})) refuse_pending(ordered.pending);
+  for (const auto& [number, followed] : std::exchange(followed_, {})) refuse_pending(followed.pending);
   publish_(end_event(exit_code, reason), "");
 }
 

@@ -104,7 +104,8 @@ std::string to_json(const OperatorState& state) {
             {"emergency_stop", state.emergency_stopped},
             {"commander", state.commander.empty() ? Json{} : Json(state.commander)},
             {"processes", Json::array()},
-            {"questions", Json::array()}};
+            {"questions", Json::array()},
+            {"yields", state.yielded}};
   for (const auto& [name, status] : state.processes) json["processes"].push_back(json_of(status));
   if (state.questions != nullptr)
     for (const OpenQuestion& question : state.questions->open()) json["questions"].push_back(json_of(question));
@@ -133,6 +134,8 @@ std::string state_text(const std::string& text) try {
       lines += "  " + words(process.at("error").at("text")) + ": " + words(process.at("error").at("detail"));
     lines += "\n";
   }
+  for (const Json& robot : json.value("yields", Json::array()))
+    lines += fmt::format("{:<12} follows trajectories of 'follow' and of ROS 2\n", words(robot));
   for (const Json& question : json.at("questions"))
     lines += fmt::format("{:<12} asks: {} ({})\n", words(question.at("from")), words(question.at("text")),
                          words(question.at("expected")));
@@ -177,6 +180,8 @@ std::string event_text(const std::string& line) try {
   if (event == "command_wanted") shown = text("by") + " asks for command, " + text("commander") + " holds it";
   if (event == "commander")
     shown = json.at("commander").is_null() ? "command is free" : text("commander") + " holds command";
+  if (event == "yield")
+    shown = text("robot") + (json.at("open").get<bool>() ? " follows trajectories" : " follows no trajectories");
   if (event == "end")
     shown = fmt::format("the run has ended with exit code {}{}", json.at("exit_code").get<int>(),
                         text("reason").empty() ? "" : ": " + text("reason"));
@@ -198,6 +203,10 @@ std::string commander_event(const std::string& name) {
 
 std::string command_wanted_event(const std::string& by, const std::string& holder) {
   return dump({{"event", "command_wanted"}, {"by", by}, {"commander", holder}});
+}
+
+std::string yield_event(const std::string& robot, bool open) {
+  return dump({{"event", "yield"}, {"robot", robot}, {"open", open}});
 }
 
 std::string end_event(int exit_code, const std::string& reason) {

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "cli/operator/operator_events.hpp"
 #include "cli/operator/questions.hpp"
@@ -20,6 +21,7 @@ struct OperatorState {
   std::string commander;                                         ///< empty: command is free
   const std::map<std::string, links::ProcessStatus>& processes;  ///< the last status of each
   const Questions* questions = nullptr;                          ///< null: the links are not open yet
+  std::vector<std::string> yielded = {};                         ///< robots that follow trajectories
 };
 
 /// The state as JSON, the data of `status`: docs/reference/operator.md. Any thread.
@@ -41,6 +43,8 @@ std::string command_event(const config::Event& event, const std::string& by, Tas
 std::string commander_event(const std::string& name);
 /// The client `by` asks for the command that `holder` holds.
 std::string command_wanted_event(const std::string& by, const std::string& holder);
+/// A robot is yielded to other programs from now on, or no longer.
+std::string yield_event(const std::string& robot, bool open);
 std::string end_event(int exit_code, const std::string& reason);
 /// The same for people; empty for an event that is not known. Any thread; does not throw.
 std::string event_text(const std::string& json);

@@ -33,6 +33,9 @@ constexpr VerbArgument kRobotArguments[]{kRobot};
 constexpr VerbArgument kOutputArguments[]{
     kRobot, VerbArgument{"output", "0 to 15: a digital output; a0 to a7: an analogue one", true},
     VerbArgument{"value", "0 or 1 of a digital output; a number of an analogue one", true}};
+constexpr VerbArgument kFollowArguments[]{
+    kRobot,
+    VerbArgument{"file", "The trajectory, TOML; a relative path begins in the folder of the caller", true, true}};
 constexpr VerbArgument kRecordArguments[]{
     VerbArgument{"file", "A file that does not exist; a relative path begins in the folder of the caller", true, true}};
 
@@ -64,6 +67,10 @@ constexpr OperatorVerb kVerbs[]{
                  true, true},
     OperatorVerb{"hold", "End a jog, a step or a go: the robot comes to rest", "the robot comes to rest",
                  kRobotArguments, true},
+    OperatorVerb{"follow", "Let a robot that its task yields (External) follow a trajectory of joints",
+                 "the robot has arrived", kFollowArguments, true, true},
+    OperatorVerb{"cancel", "End the trajectory that a robot follows: the robot comes to rest on it",
+                 "the trajectory ends", kRobotArguments, true},
     OperatorVerb{"synchronise", "Find the absolute positions of a robot's motors", "the robot is synchronised",
                  kRobotArguments, true, true},
     OperatorVerb{"recover", "Clear a robot's fault and switch its drives on", "the drives are on", kRobotArguments,

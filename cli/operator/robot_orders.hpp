@@ -31,6 +31,8 @@ class RobotOrders {
   /// Throws as links::connect.
   void connect(double timeout);
 
+  /// The number of a robot's axes. Throws std::invalid_argument when there is no such robot. Any thread.
+  std::size_t axes(const std::string& name) const { return robot(name).parameters.axes.size(); }
   /// Throws std::invalid_argument when the order is wrong. Any thread.
   void check(const std::string& command, const config::RobotOrder& order) const;
   /// Sends an order that `check` has accepted, and returns its number. `paused`: the task is paused. One thread at a

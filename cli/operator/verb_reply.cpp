@@ -7,8 +7,10 @@ namespace mrroc::cli {
 
 namespace {
 
-constexpr Refusal kRefusals[]{Refusal::malformed,   Refusal::unknown_verb,  Refusal::invalid_argument,
-                              Refusal::not_allowed, Refusal::not_commander, Refusal::ended};
+constexpr Refusal kRefusals[]{Refusal::malformed,          Refusal::unknown_verb,   Refusal::invalid_argument,
+                              Refusal::not_allowed,        Refusal::not_commander,  Refusal::ended,
+                              Refusal::invalid_trajectory, Refusal::path_tolerance, Refusal::goal_tolerance,
+                              Refusal::cancelled,          Refusal::taken_back};
 
 }  // namespace
 
@@ -28,6 +30,16 @@ const char* name_of(Refusal refusal) noexcept {
       return "not_commander";
     case Refusal::ended:
       return "ended";
+    case Refusal::invalid_trajectory:
+      return "invalid_trajectory";
+    case Refusal::path_tolerance:
+      return "path_tolerance";
+    case Refusal::goal_tolerance:
+      return "goal_tolerance";
+    case Refusal::cancelled:
+      return "cancelled";
+    case Refusal::taken_back:
+      return "taken_back";
   }
   return "?";
 }

@@ -16,7 +16,13 @@ enum class Refusal {
   invalid_argument,  ///< an argument is missing, unknown, or its value is invalid
   not_allowed,       ///< not in the present state of the deployment
   not_commander,     ///< another client holds command
-  ended              ///< the deployment ended before the command took effect
+  ended,             ///< the deployment ended before the command took effect
+  // ---- how a trajectory ended
+  invalid_trajectory,  ///< nothing has moved for it
+  path_tolerance,      ///< the robot was too far from it
+  goal_tolerance,      ///< the robot rests too far from its end
+  cancelled,           ///< by `cancel`, or replaced by another one
+  taken_back           ///< the task no longer yields the robot
 };
 
 /// "malformed", "unknown_verb", ... Any thread.

@@ -11,10 +11,12 @@ RunLinks::RunLinks(const config::Deployment& deployment, const links::DomainOpti
       mp(domain, clock, deployment.name + "/mp", "mp"),
       questions(deployment, domain, clock, std::move(show)),
       robots(deployment, domain, clock),
+      trajectories(deployment, domain, clock),
       telemetry(deployment, domain),
       world(memory),
       events({[&host](Tick tick, clock::TickEvents::Callback callback) { host.at_tick(tick, std::move(callback)); },
               [&host] { return host.tick(); }},
-             clock.emergency_stop(), mp, questions.links(), robots, deployment.clock == config::ClockMode::real) {}
+             clock.emergency_stop(), mp, questions.links(), robots, trajectories,
+             deployment.clock == config::ClockMode::real) {}
 
 }  // namespace mrroc::cli

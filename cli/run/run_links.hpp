@@ -7,6 +7,7 @@
 #include "cli/operator/questions.hpp"
 #include "cli/operator/robot_orders.hpp"
 #include "cli/operator/telemetry_feed.hpp"
+#include "cli/operator/trajectories.hpp"
 #include "cli/operator/world_feed.hpp"
 #include "clock/clock.hpp"
 #include "clock/host.hpp"
@@ -30,6 +31,7 @@ struct RunLinks {
   links::TaskSuperior mp;
   Questions questions;
   RobotOrders robots;
+  Trajectories trajectories;
   TelemetryFeed telemetry;
   WorldFeed world;
   OperatorEvents events;

@@ -209,7 +209,7 @@ void Runner::pass_barrier() {
   links_->events.emergency_stop_arrives_when([this] { return hosts_->follow_emergency_stop(); });
   if (recorder_) links_->events.report_to([this](const config::Event& event) { recorder_->take(event); });
   links_->events.schedule(deployment_, options_.hold);
-  service_.connect(links_->events, links_->questions, links_->robots);
+  service_.connect(links_->events, links_->questions, links_->robots, links_->trajectories);
   faults_.schedule();
   supervisor_.task_starts();
   clock_.start(hosts_->start());

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "config/entries/errors_entry.hpp"
 #include "config/key_values.hpp"
 #include "config/robot_files.hpp"
+#include "mrroc/joint_trajectory.hpp"
 #include "mrroc/load.hpp"
 #include "mrroc/types.hpp"
 
@@ -168,14 +170,15 @@ inline constexpr double kLeastSpeedPercent = 1, kFullSpeedPercent = 100;
 /// A command of the operator at a given tick: written in advance for runs without an operator, or noted in a live run.
 struct Event {
   Tick tick = 0;
-  /// start | pause | resume | trigger | stop | estop | reset | speed | answer, or one of `order`: jog | step | go |
-  /// hold | synchronise | recover | bias | output | tool
+  /// start | pause | resume | trigger | stop | estop | reset | speed | answer | follow | cancel, or one of `order`: jog
+  /// | step | go | hold | synchronise | recover | bias | output | tool
   std::string command{};
   std::string asker{};  ///< of an answer: the sensor or process that asks; else empty
   double value = 0;     ///< the answer: the number, 1 or 0 for yes or no, the index of a choice; the speed, percent
   /// Of an answer: the number of the asker's question, from 1; 0: the one that is open then.
   std::uint64_t question = 0;
-  RobotOrder order{};  ///< of commands to a robot; else empty
+  RobotOrder order{};  ///< of commands to a robot; else empty. Of `follow` and `cancel`: the robot alone
+  std::shared_ptr<const JointTrajectory> trajectory{};  ///< of `follow`
 };
 
 /// A prepared answer to a question of a task program, for runs without an operator: the text that the operator would

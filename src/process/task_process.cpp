@@ -40,6 +40,7 @@ TaskProcess::TaskProcess(Process& process, const std::string& superior_topic)
     : process_(process),
       task_link_(process.domain(), process.clock(), superior_topic),
       dialogue_(process),
+      trajectories_(process),
       reporter_(std::make_unique<StepReporter>(process)) {}
 
 TaskProcess::~TaskProcess() = default;
@@ -106,6 +107,7 @@ void TaskProcess::connect_links() {
   for (auto& [name, link] : robots_) link->connect(timeout);
   for (auto& [name, link] : sensors_) link->connect(timeout);
   dialogue_.connect(timeout);
+  trajectories_.connect(timeout);
 }
 
 void TaskProcess::await_published_sensors() {

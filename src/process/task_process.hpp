@@ -15,6 +15,7 @@
 #include "process/mailbox.hpp"
 #include "process/process.hpp"
 #include "process/record/step_reporter.hpp"
+#include "process/task_trajectories.hpp"
 
 namespace mrroc::process {
 
@@ -75,6 +76,7 @@ class TaskProcess : public Task {
   double operator_speed() const noexcept override { return speed_; }
   bool take_trigger() noexcept override;
   StepObserver* observer() noexcept override { return reporter_.get(); }
+  TrajectoryLink* trajectory_link() noexcept override { return &trajectories_; }
 
  protected:
   /// The superior's messages to the running program.
@@ -107,6 +109,7 @@ class TaskProcess : public Task {
   Process& process_;
   links::TaskSubordinate task_link_;
   Dialogue dialogue_;
+  TaskTrajectories trajectories_;
   Mailbox mailbox_;
   Message started_;
   bool running_ = false;  // since `start` came, until the end is reported

@@ -112,7 +112,7 @@ class TypeOf final : public Type {
 
 struct Types {
   TestDomain domain;
-  std::array<std::unique_ptr<Type>, 9> all{
+  std::array<std::unique_ptr<Type>, 11> all{
       std::make_unique<TypeOf<mrroc::RobotCommand>>(domain.domain, "robot_command"),
       std::make_unique<TypeOf<mrroc::RobotState>>(domain.domain, "robot_state"),
       std::make_unique<TypeOf<mrroc::SensorRequest>>(domain.domain, "sensor_request"),
@@ -121,6 +121,8 @@ struct Types {
       std::make_unique<TypeOf<TaskStatus>>(domain.domain, "task_status"),
       std::make_unique<TypeOf<OperatorQuestion>>(domain.domain, "operator_question"),
       std::make_unique<TypeOf<OperatorAnswer>>(domain.domain, "operator_answer"),
+      std::make_unique<TypeOf<mrroc::TrajectoryPart>>(domain.domain, "trajectory_part"),
+      std::make_unique<TypeOf<mrroc::TrajectoryReport>>(domain.domain, "trajectory_report"),
       std::make_unique<TypeOf<ProcessStatus>>(domain.domain, "process_status"),
   };
 };

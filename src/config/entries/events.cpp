@@ -5,6 +5,7 @@
 
 #include "config/entries/operator_answer.hpp"
 #include "config/entries/robot_orders.hpp"
+#include "config/entries/trajectory_entry.hpp"
 #include "config/text/message_text.hpp"
 
 namespace mrroc::config {
@@ -39,14 +40,31 @@ void refuse_keys(const Table& table, const std::string& command, std::initialize
       table.fail(key, "is not a key of the command " + in_quotes(command), "another command beside it");
 }
 
+Event read_trajectory_event(const Table& table, const Deployment& deployment, Event event) {
+  refuse_keys(
+      table, event.command,
+      {"sensor", "process", "question", "value", "axis", "in", "velocity", "distance", "posture", "output", "tool"});
+  std::vector<std::string> robots;
+  for (const RobotEntry& robot : deployment.robots) robots.push_back(robot.name);
+  event.order.robot = table.choice("robot", robots);
+  if (event.command == "follow")
+    event.trajectory = read_trajectory(table, parameters_of(deployment.robot(event.order.robot)).axes.size());
+  else
+    refuse_keys(table, event.command, {"points", "path_tolerance", "goal_tolerance", "goal_time_tolerance"});
+  return event;
+}
+
 Event read_event(const Table& table, const Deployment& deployment) {
   table.only({"tick", "command", "sensor", "process", "value", "question", "robot", "axis", "in", "velocity",
-              "distance", "posture", "output", "tool"});
+              "distance", "posture", "output", "tool", "points", "path_tolerance", "goal_tolerance",
+              "goal_time_tolerance"});
   Event event;
   event.tick = static_cast<Tick>(table.integer("tick", 0, std::numeric_limits<std::int64_t>::max()));
-  event.command =
-      table.choice("command", {"start", "pause", "resume", "trigger", "stop", "estop", "reset", "speed", "answer",
-                               "jog", "step", "go", "hold", "synchronise", "recover", "bias", "output", "tool"});
+  event.command = table.choice("command", {"start",   "pause",  "resume", "trigger", "stop",   "estop", "reset",
+                                           "speed",   "answer", "jog",    "step",    "go",     "hold",  "synchronise",
+                                           "recover", "bias",   "output", "tool",    "follow", "cancel"});
+  if (event.command == "follow" || event.command == "cancel") return read_trajectory_event(table, deployment, event);
+  refuse_keys(table, event.command, {"points", "path_tolerance", "goal_tolerance", "goal_time_tolerance"});
   if (is_robot_order(event.command)) {
     refuse_keys(table, event.command, {"sensor", "process", "question"});
     event.order = read_robot_order(table, event.command, deployment);

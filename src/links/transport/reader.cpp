@@ -255,5 +255,7 @@ template class Reader<TaskCommand>;
 template class Reader<TaskStatus>;
 template class Reader<OperatorQuestion>;
 template class Reader<OperatorAnswer>;
+template class Reader<TrajectoryPart>;
+template class Reader<TrajectoryReport>;
 
 }  // namespace mrroc::links

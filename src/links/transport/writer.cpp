@@ -111,5 +111,7 @@ template class Writer<TaskCommand>;
 template class Writer<TaskStatus>;
 template class Writer<OperatorQuestion>;
 template class Writer<OperatorAnswer>;
+template class Writer<TrajectoryPart>;
+template class Writer<TrajectoryReport>;
 
 }  // namespace mrroc::links

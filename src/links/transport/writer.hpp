@@ -16,8 +16,8 @@ struct WriterOptions {
 };
 
 /// The one writer of a topic. T is a message of src/links/wire/messages.idl: RobotCommand, RobotState, SensorRequest,
-/// SensorReading, TaskCommand, TaskStatus, OperatorQuestion, OperatorAnswer. Construct before the clock starts; the
-/// domain and the clock outlive it.
+/// SensorReading, TaskCommand, TaskStatus, OperatorQuestion, OperatorAnswer, TrajectoryPart, TrajectoryReport.
+/// Construct before the clock starts; the domain and the clock outlive it.
 template <class T>
 class Writer final : public WriterBase {
  public:

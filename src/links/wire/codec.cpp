@@ -83,6 +83,8 @@ template void encode(const TaskCommand&, Wire<TaskCommand>&) noexcept;
 template void encode(const TaskStatus&, Wire<TaskStatus>&) noexcept;
 template void encode(const OperatorQuestion&, Wire<OperatorQuestion>&) noexcept;
 template void encode(const OperatorAnswer&, Wire<OperatorAnswer>&) noexcept;
+template void encode(const TrajectoryPart&, Wire<TrajectoryPart>&) noexcept;
+template void encode(const TrajectoryReport&, Wire<TrajectoryReport>&) noexcept;
 template void encode(const ProcessStatus&, Wire<ProcessStatus>&) noexcept;
 
 template bool valid<RobotCommand>(const Wire<RobotCommand>&) noexcept;
@@ -93,6 +95,8 @@ template bool valid<TaskCommand>(const Wire<TaskCommand>&) noexcept;
 template bool valid<TaskStatus>(const Wire<TaskStatus>&) noexcept;
 template bool valid<OperatorQuestion>(const Wire<OperatorQuestion>&) noexcept;
 template bool valid<OperatorAnswer>(const Wire<OperatorAnswer>&) noexcept;
+template bool valid<TrajectoryPart>(const Wire<TrajectoryPart>&) noexcept;
+template bool valid<TrajectoryReport>(const Wire<TrajectoryReport>&) noexcept;
 
 template bool decode(const Wire<RobotCommand>&, RobotCommand&) noexcept;
 template bool decode(const Wire<RobotState>&, RobotState&) noexcept;
@@ -102,6 +106,8 @@ template bool decode(const Wire<TaskCommand>&, TaskCommand&) noexcept;
 template bool decode(const Wire<TaskStatus>&, TaskStatus&) noexcept;
 template bool decode(const Wire<OperatorQuestion>&, OperatorQuestion&) noexcept;
 template bool decode(const Wire<OperatorAnswer>&, OperatorAnswer&) noexcept;
+template bool decode(const Wire<TrajectoryPart>&, TrajectoryPart&) noexcept;
+template bool decode(const Wire<TrajectoryReport>&, TrajectoryReport&) noexcept;
 template bool decode(const Wire<ProcessStatus>&, ProcessStatus&) noexcept;
 
 }  // namespace mrroc::links

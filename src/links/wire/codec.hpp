@@ -8,6 +8,7 @@
 #include "messages.h"
 #include "mrroc/robot_command.hpp"
 #include "mrroc/sensor_link.hpp"
+#include "mrroc/trajectory_link.hpp"
 
 namespace mrroc::links {
 
@@ -54,6 +55,18 @@ template <>
 struct WireOf<OperatorAnswer> {
   using Type = mrroc_wire_OperatorAnswer;
   static const dds_topic_descriptor_t& descriptor() noexcept { return mrroc_wire_OperatorAnswer_desc; }
+};
+
+template <>
+struct WireOf<TrajectoryPart> {
+  using Type = mrroc_wire_TrajectoryPart;
+  static const dds_topic_descriptor_t& descriptor() noexcept { return mrroc_wire_TrajectoryPart_desc; }
+};
+
+template <>
+struct WireOf<TrajectoryReport> {
+  using Type = mrroc_wire_TrajectoryReport;
+  static const dds_topic_descriptor_t& descriptor() noexcept { return mrroc_wire_TrajectoryReport_desc; }
 };
 template <>
 struct WireOf<ProcessStatus> {

@@ -110,6 +110,19 @@ bool visit_fields(M& m, Wire& w, const Visitor& v) noexcept {
   return v.field(m.question, w.question) && v.field(m.value, w.value);
 }
 
+template <Is<TrajectoryPart> M, class Wire, class Visitor>
+bool visit_fields(M& m, Wire& w, const Visitor& v) noexcept {
+  return v.field(m.robot, w.robot) && v.field(m.order, w.trajectory_order) && v.field(m.trajectory, w.trajectory) &&
+         v.field(m.size, w.size) && v.field(m.begin, w.begin) && v.count(m.count, w.count, TrajectoryPart::kNumbers) &&
+         v.field(m.numbers, w.numbers);
+}
+
+template <Is<TrajectoryReport> M, class Wire, class Visitor>
+bool visit_fields(M& m, Wire& w, const Visitor& v) noexcept {
+  return v.field(m.robot, w.robot) && v.field(m.trajectory, w.trajectory) && v.field(m.state, w.trajectory_state) &&
+         v.field(m.text, w.text) && v.field(m.tick, w.tick);
+}
+
 template <Is<ProcessStatus> M, class Wire, class Visitor>
 bool visit_fields(M& m, Wire& w, const Visitor& v) noexcept {
   return v.field(m.process, w.process) && v.field(m.role, w.process_role) && v.field(m.state, w.process_state) &&

@@ -14,6 +14,7 @@
 #include "mrroc/message_field.hpp"
 #include "mrroc/robot_command.hpp"
 #include "mrroc/sensor_link.hpp"
+#include "mrroc/trajectory_link.hpp"
 
 /// What messages are made of, in their wire form and back: for each type of a field `put` writes the wire form,
 /// `is_valid` returns whether the wire form is a value of the type (`Value<T>` names it), `get` reads a valid one. The
@@ -42,6 +43,10 @@ template <>
 inline constexpr TaskState kLast<TaskState> = TaskState::stopped;
 template <>
 inline constexpr QuestionKind kLast<QuestionKind> = QuestionKind::choice;
+template <>
+inline constexpr TrajectoryOrder kLast<TrajectoryOrder> = TrajectoryOrder::cancel;
+template <>
+inline constexpr TrajectoryState kLast<TrajectoryState> = TrajectoryState::taken_back;
 template <>
 inline constexpr ProcessRole kLast<ProcessRole> = ProcessRole::sim;
 template <>

@@ -56,9 +56,11 @@ class OperatorRig {
         mp(net.domain, clock, "t/mp", "mp"),
         questions(deployment, net.domain, clock, [this](const std::string& line) { shown.push_back(line); }),
         robots(deployment, net.domain, clock),
+        trajectories(deployment, net.domain, clock),
         events({[this](Tick at, clock::TickEvents::Callback callback) { schedule.add(at, std::move(callback)); },
                 [this] { return tick; }},
-               clock.emergency_stop(), mp, questions.links(), robots, deployment.clock == config::ClockMode::real),
+               clock.emergency_stop(), mp, questions.links(), robots, trajectories,
+               deployment.clock == config::ClockMode::real),
         service(deployment) {
     mp.connect(links::kPatience);
     service.publish_to([this](const std::string& json, const std::string& text) {
@@ -67,7 +69,7 @@ class OperatorRig {
     });
     service.note_to([this](const config::Event& event) { noted.push_back(event); });
     events.schedule(deployment, hold);
-    service.connect(events, questions, robots);
+    service.connect(events, questions, robots, trajectories);
   }
 
   /// Begins the next tick.
@@ -105,6 +107,7 @@ class OperatorRig {
   links::TaskSuperior mp;
   Questions questions;
   RobotOrders robots;
+  Trajectories trajectories;
   OperatorEvents events;
   OperatorService service;
 };

@@ -197,6 +197,26 @@ struct Arbitrary<mrroc::links::OperatorAnswer> {
 };
 
 template <>
+struct Arbitrary<mrroc::TrajectoryPart> {
+  static Gen<mrroc::TrajectoryPart> arbitrary() {
+    using T = mrroc::TrajectoryPart;
+    return gen::build<T>(gen::set(&T::robot), gen::set(&T::order, any_enum(mrroc::TrajectoryOrder::cancel)),
+                         gen::set(&T::trajectory), gen::set(&T::size), gen::set(&T::begin),
+                         gen::set(&T::count, gen::inRange<std::uint16_t>(0, T::kNumbers + 1)), gen::set(&T::numbers));
+  }
+};
+
+template <>
+struct Arbitrary<mrroc::TrajectoryReport> {
+  static Gen<mrroc::TrajectoryReport> arbitrary() {
+    using T = mrroc::TrajectoryReport;
+    return gen::build<T>(gen::set(&T::robot), gen::set(&T::trajectory),
+                         gen::set(&T::state, any_enum(mrroc::TrajectoryState::taken_back)), gen::set(&T::text),
+                         gen::set(&T::tick));
+  }
+};
+
+template <>
 struct Arbitrary<mrroc::links::Counters> {
   static Gen<mrroc::links::Counters> arbitrary() {
     using T = mrroc::links::Counters;

@@ -22,7 +22,7 @@ namespace {
 template <class T>
 class RoundTrip : public ::testing::Test {};
 using Messages = ::testing::Types<RobotCommand, RobotState, SensorRequest, SensorReading, TaskCommand, TaskStatus,
-                                  OperatorQuestion, OperatorAnswer>;
+                                  OperatorQuestion, OperatorAnswer, TrajectoryPart, TrajectoryReport>;
 TYPED_TEST_SUITE(RoundTrip, Messages);
 
 TYPED_TEST(RoundTrip, KeepsEveryBit) {
@@ -160,6 +160,15 @@ TEST(Malformed, Operator) {
                                     {"kind", [](auto& w) { w.question_kind = 4; }},
                                     {"choice count", [](auto& w) { w.choice_count = 9; }},
                                     {"choices", [](auto& w) { fill(w.choices[7]); }}});
+}
+
+TEST(Malformed, Trajectories) {
+  expect_dropped<TrajectoryPart>({{"robot", [](auto& w) { fill(w.robot); }},
+                                  {"order", [](auto& w) { w.trajectory_order = 2; }},
+                                  {"count", [](auto& w) { w.count = TrajectoryPart::kNumbers + 1; }}});
+  expect_dropped<TrajectoryReport>({{"robot", [](auto& w) { fill(w.robot); }},
+                                    {"state", [](auto& w) { w.trajectory_state = 9; }},
+                                    {"text", [](auto& w) { fill(w.text); }}});
 }
 
 TEST(Malformed, ProcessStatus) {

@@ -71,6 +71,15 @@ inline bool same(const OperatorQuestion& a, const OperatorQuestion& b) {
 inline bool same(const OperatorAnswer& a, const OperatorAnswer& b) {
   return a.question == b.question && std::memcmp(&a.value, &b.value, sizeof a.value) == 0;
 }
+inline bool same(const TrajectoryPart& a, const TrajectoryPart& b) {
+  return a.robot == b.robot && a.order == b.order && a.trajectory == b.trajectory && a.size == b.size &&
+         a.begin == b.begin && a.count == b.count &&
+         std::memcmp(a.numbers.data(), b.numbers.data(), sizeof a.numbers) == 0;
+}
+inline bool same(const TrajectoryReport& a, const TrajectoryReport& b) {
+  return a.robot == b.robot && a.trajectory == b.trajectory && a.state == b.state && a.text == b.text &&
+         a.tick == b.tick;
+}
 inline bool same(const Counters& a, const Counters& b) {
   static_assert(sizeof(Counters) == 17 * 8, "no padding to compare");
   return std::memcmp(&a, &b, sizeof a) == 0;
