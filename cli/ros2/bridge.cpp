@@ -25,9 +25,14 @@ std::int64_t system_ns() {
       .count();
 }
 
+ros2::Distro distro_of(const std::string& name) {
+  if (name == "humble") return ros2::Distro::humble;
+  return name == "iron" || name == "jazzy" ? ros2::Distro::iron : ros2::Distro::kilted;
+}
+
 ros2::NodeOptions options_of(const config::Ros2Entry& entry, const std::string& deployment) {
   return {.domain = entry.domain.value_or(0),
-          .distro = entry.distro == "humble" ? ros2::Distro::humble : ros2::Distro::iron,
+          .distro = distro_of(entry.distro),
           .node = "mrroc_" + ros2::ros_name(deployment),
           .node_namespace = entry.name_space,
           .interface = entry.interface};
@@ -37,6 +42,7 @@ ros2::NodeOptions options_of(const config::Ros2Entry& entry, const std::string& 
 
 Bridge::Bridge(const config::Ros2Entry& entry, const config::Deployment& deployment, bool simulated, RunConnection& run)
     : run_(run),
+      requests_([this](const std::string& line) { run_.send_line(line); }),
       name_space_(entry.name_space),
       node_name_(ros2::in_namespace(name_space_, "mrroc_" + ros2::ros_name(deployment.name))),
       node_(options_of(entry, deployment.name)),
@@ -53,7 +59,7 @@ Bridge::Bridge(const config::Ros2Entry& entry, const config::Deployment& deploym
     if (sensor.gives_wrench)
       wrenches_.try_emplace(sensor.name, node_,
                             ros2::in_namespace(ros2::in_namespace(name_space_, sensor.name), "wrench"));
-  if (entry.commands) services_.emplace(node_, node_name_, [this](const std::string& line) { run_.send_line(line); });
+  if (entry.commands) add_commands(distro_of(entry.distro), deployment);
   node_.announce();
 }
 
@@ -72,25 +78,45 @@ void Bridge::add_robots(const config::Deployment& deployment) {
   tf_static_.publish(fixed);
 }
 
+void Bridge::add_commands(ros2::Distro distro, const config::Deployment& deployment) {
+  services_.emplace(node_, node_name_, requests_);
+  const auto folder = std::filesystem::absolute(run_.path()).parent_path();
+  for (const auto& [name, robot] : robots_) {
+    if (robot.frames().joints().empty()) continue;
+    actions_.try_emplace(name, node_, distro, name_space_,
+                         FollowedRobot{name, robot.frames().joints(), deployment.servo_period}, folder, requests_,
+                         [this](const std::string& text) { log(messages::rcl_interfaces::Log::WARN, text); });
+  }
+}
+
 void Bridge::serve(int stop) {
   run_.send_line(Json{{"verb", "echo"}, {"of", "all"}}.dump());
+  if (!actions_.empty()) status_request_ = requests_.send({{"verb", "status"}});
   for (bool connected = true; connected;) {
     pollfd entries[2]{{stop, POLLIN, 0}, {run_.descriptor(), POLLIN, 0}};
     ::poll(entries, 2, kTurn);
-    if (entries[0].revents != 0) return;
+    if (entries[0].revents != 0) {
+      for (auto& [robot, action] : actions_) {
+        action.cancel();
+        action.abort_open("the bridge has ended");
+      }
+      return;
+    }
     std::vector<std::string> lines;
     connected = run_.read_lines(lines);
     for (const std::string& line : lines) take(line);
     if (services_) services_->poll();
+    for (auto& [robot, action] : actions_) action.poll(stamps_.at(system_ns()));
     beat();
   }
   if (services_) services_->refuse_open();
+  for (auto& [robot, action] : actions_) action.abort_open("the run has ended");
 }
 
 void Bridge::take(const std::string& line) {
   using messages::rcl_interfaces::Log;
   const Json json = Json::parse(line, nullptr, false);
-  if (!json.is_object() || (services_ && services_->take(json))) return;
+  if (!json.is_object() || take_reply(json)) return;
   const std::string event = json.value("event", "");
   if (event == "robot") {
     take_robot(json);
@@ -98,6 +124,9 @@ void Bridge::take(const std::string& line) {
     take_reading(json);
   } else if (event == "world") {
     cameras_.take(line, stamps_.of(json.value("tick", Tick{0}), system_ns()));
+  } else if (event == "yield") {
+    if (const auto action = actions_.find(json.value("robot", "")); action != actions_.end())
+      action->second.set_yielded(json.value("open", false));
   } else if (event == "process") {
     states_.take(json);
   } else if (event == "message") {
@@ -115,8 +144,26 @@ void Bridge::take_robot(const Json& event) {
   if (robot == robots_.end()) return;
   const Tick tick = event.value("tick", Tick{0});
   newest_ = std::max(newest_.value_or(tick), tick);
-  robot->second.publish(event, stamps_.of(tick, system_ns()), frames_.transforms);
+  const messages::builtin_interfaces::Time stamp = stamps_.of(tick, system_ns());
+  robot->second.publish(event, stamp, frames_.transforms);
+  if (const auto action = actions_.find(robot->first); action != actions_.end())
+    action->second.take_state(event, stamp);
   states_.take(event);
+}
+
+bool Bridge::take_reply(const Json& line) {
+  if (services_ && services_->take(line)) return true;
+  if (!actions_.empty() && line.contains("ok") && line.value("id", std::int64_t{0}) == status_request_) {
+    if (const auto data = line.find("data"); data != line.end() && data->is_object())
+      for (const Json& robot : data->value("yields", Json::array()))
+        if (const auto action = actions_.find(robot.is_string() ? robot.get<std::string>() : "");
+            action != actions_.end())
+          action->second.set_yielded(true);
+    return true;
+  }
+  for (auto& [robot, action] : actions_)
+    if (action.take_reply(line)) return true;
+  return false;
 }
 
 void Bridge::take_reading(const Json& event) {

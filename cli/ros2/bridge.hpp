@@ -8,6 +8,8 @@
 #include "cli/operator/socket/run_connection.hpp"
 #include "cli/ros2/camera_topics.hpp"
 #include "cli/ros2/diagnostics.hpp"
+#include "cli/ros2/follow_action.hpp"
+#include "cli/ros2/operator_requests.hpp"
 #include "cli/ros2/robot_topics.hpp"
 #include "cli/ros2/stamps.hpp"
 #include "cli/ros2/trigger_services.hpp"
@@ -36,14 +38,18 @@ class Bridge {
   using Json = nlohmann::ordered_json;
 
   void add_robots(const config::Deployment& deployment);
+  /// The services and actions that operate the run.
+  void add_commands(ros2::Distro distro, const config::Deployment& deployment);
   void take(const std::string& line);
   void take_robot(const Json& event);
   void take_reading(const Json& event);
+  bool take_reply(const Json& line);
   void log(std::uint8_t level, const std::string& text);
   /// What is due with the time: the frames of all robots as one message, the clock, diagnostics.
   void beat();
 
   RunConnection& run_;
+  OperatorRequests requests_;
   std::string name_space_;
   std::string node_name_;
   ros2::Node node_;
@@ -56,6 +62,8 @@ class Bridge {
   CameraTopics cameras_;
   std::optional<ros2::Publisher<messages::rosgraph_msgs::Clock>> clock_;  // of a simulated clock
   std::optional<TriggerServices> services_;
+  std::map<std::string, FollowAction> actions_;  // by robot
+  std::int64_t status_request_ = 0;
   Diagnostics states_;
   messages::tf2_msgs::TFMessage frames_;  // not yet sent
   std::optional<Tick> newest_;

@@ -17,7 +17,8 @@ constexpr std::size_t kMostOpen = 8;
 
 }  // namespace
 
-TriggerServices::TriggerServices(ros2::Node& node, const std::string& name_space, Send send) : send_(std::move(send)) {
+TriggerServices::TriggerServices(ros2::Node& node, const std::string& name_space, OperatorRequests& requests)
+    : requests_(requests) {
   for (const char* verb : kVerbs)
     verbs_.push_back({verb, {node, ros2::in_namespace(name_space, verb), "std_srvs/srv/Trigger"}});
 }
@@ -27,8 +28,7 @@ void TriggerServices::poll() {
     while (open_.size() < kMostOpen) {
       const auto request = verb.service.take();
       if (!request) break;
-      open_.emplace(++last_, Call{&verb, *request});
-      send_(Json{{"verb", verb.name}, {"id", last_}}.dump());
+      open_.emplace(requests_.send({{"verb", verb.name}}), Call{&verb, *request});
     }
   }
 }

@@ -1,12 +1,12 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
+#include "cli/ros2/operator_requests.hpp"
 #include "links/ros2/service.hpp"
 #include "messages/std_srvs_cyclone/trigger_reply.hpp"
 #include "messages/std_srvs_cyclone/trigger_request.hpp"
@@ -17,11 +17,8 @@ namespace mrroc::cli {
 /// sent to the run as any operator's; its answer becomes the reply. One thread.
 class TriggerServices {
  public:
-  /// Sends one line to the run.
-  using Send = std::function<void(const std::string& line)>;
-
-  /// `name_space`: of the services. The node outlives it.
-  TriggerServices(ros2::Node& node, const std::string& name_space, Send send);
+  /// `name_space`: of the services. The node and `requests` outlive it.
+  TriggerServices(ros2::Node& node, const std::string& name_space, OperatorRequests& requests);
 
   /// Sends the requests that have come, of which the run owes a bounded number of answers. Does not wait.
   void poll();
@@ -42,10 +39,9 @@ class TriggerServices {
     Request request;
   };
 
-  Send send_;
+  OperatorRequests& requests_;
   std::vector<Verb> verbs_;
   std::map<std::int64_t, Call> open_;
-  std::int64_t last_ = 0;
 };
 
 }  // namespace mrroc::cli

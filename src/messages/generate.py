@@ -1,5 +1,7 @@
 #!/usr/bin/env python3
-"""Makes C++ sources and IDL from ROS 2 message descriptions: FOLDER/PACKAGE/msg/Name.msg.
+"""Makes C++ sources and IDL from ROS 2 message descriptions: FOLDER/PACKAGE/msg/Name.msg, and of actions
+FOLDER/PACKAGE/action/Action_Part.msg. A package of which a release of ROS 2 has other fields has that release in its
+name, PACKAGE_humble or PACKAGE_kilted: the name of its types on DDS and their hashes are those of PACKAGE.
 
 Usage: generate.py FOLDER --outputs        the names of the sources that it makes, one a line
        generate.py FOLDER INTO             writes them, and INTO/idl/PACKAGE/msg/Name.idl
@@ -14,25 +16,28 @@ import re
 import sys
 
 sys.dont_write_bytecode = True  # a build leaves the sources as they are
+from idl import idl_of  # noqa: E402
 from type_hash import type_hash  # noqa: E402
 
-PRIMITIVES = {  # name: C++, IDL, bytes
-    "bool": ("bool", "boolean", 1),
-    "byte": ("std::uint8_t", "octet", 1),
-    "char": ("std::uint8_t", "uint8", 1),
-    "int8": ("std::int8_t", "int8", 1),
-    "uint8": ("std::uint8_t", "uint8", 1),
-    "int16": ("std::int16_t", "int16", 2),
-    "uint16": ("std::uint16_t", "uint16", 2),
-    "int32": ("std::int32_t", "int32", 4),
-    "uint32": ("std::uint32_t", "uint32", 4),
-    "int64": ("std::int64_t", "int64", 8),
-    "uint64": ("std::uint64_t", "uint64", 8),
-    "float32": ("float", "float", 4),
-    "float64": ("double", "double", 8),
-    "string": ("std::string", "string", 4),  # at least its length
+PRIMITIVES = {  # name: C++, bytes
+    "bool": ("bool", 1),
+    "byte": ("std::uint8_t", 1),
+    "char": ("std::uint8_t", 1),
+    "int8": ("std::int8_t", 1),
+    "uint8": ("std::uint8_t", 1),
+    "int16": ("std::int16_t", 2),
+    "uint16": ("std::uint16_t", 2),
+    "int32": ("std::int32_t", 4),
+    "uint32": ("std::uint32_t", 4),
+    "int64": ("std::int64_t", 8),
+    "uint64": ("std::uint64_t", 8),
+    "float32": ("float", 4),
+    "float64": ("double", 8),
+    "string": ("std::string", 4),  # at least its length
 }
 FIELD = re.compile(r"^(?P<type>[A-Za-z0-9_/]+)(?:<=(?P<text_bound>[1-9]\d*))?(?:\[(?P<bound><=)?(?P<size>\d*)\])?\s+(?P<name>[a-z][a-z0-9_]*)$")
+NAME = {"msg": re.compile(r"[A-Z][A-Za-z0-9]*"), "action": re.compile(r"[A-Z][A-Za-z0-9]*_[A-Z][A-Za-z0-9]*")}
+RELEASE = re.compile(r"_(humble|kilted)$")
 CONSTANT = re.compile(r"^(?P<type>[a-z0-9]+)\s+(?P<name>[A-Z][A-Z0-9_]*)\s*=\s*(?P<value>.+)$")
 
 
@@ -40,11 +45,13 @@ class Field:
     def __init__(self, kind, name, size, bounded, array, text_bound):
         self.kind, self.name, self.size, self.bounded, self.array = kind, name, size, bounded, array
         self.text_bound = text_bound
+        self.message = None  # of the type, when that is no primitive
 
 
 class Message:
-    def __init__(self, package, name, text):
-        self.package, self.name, self.text = package, name, text
+    def __init__(self, package, folder, name, text):
+        self.package, self.folder, self.name, self.text = package, folder, name, text
+        self.cpp_name = name.replace("_", "")
         self.fields, self.constants = [], []
 
     @property
@@ -52,8 +59,21 @@ class Message:
         return f"{self.package}/{self.name}"
 
     @property
+    def path(self):
+        """Of its description; also its name in the table of all messages."""
+        return f"{self.package}/{self.folder}/{self.name}"
+
+    @property
+    def ros_type(self):
+        return f"{RELEASE.sub('', self.package)}/{self.folder}/{self.name}"
+
+    @property
+    def schema_name(self):
+        return self.key if self.folder == "msg" else self.path
+
+    @property
     def stem(self):
-        return f"{self.package}/{re.sub(r'(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])', '_', self.name).lower()}"
+        return f"{self.package}/{re.sub(r'(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])', '_', self.cpp_name).lower()}"
 
 
 def fail(file, number, problem):
@@ -61,10 +81,10 @@ def fail(file, number, problem):
 
 
 def read(file):
-    package, name = file.parts[-3], file.stem
-    message = Message(package, name, file.read_text(encoding="utf-8"))
-    if not re.fullmatch(r"[A-Z][A-Za-z0-9]*", name):
-        fail(file, 0, f"name {name}, expected CamelCase")
+    package, folder, name = file.parts[-3], file.parts[-2], file.stem
+    message = Message(package, folder, name, file.read_text(encoding="utf-8"))
+    if not NAME[folder].fullmatch(name):
+        fail(file, 0, f"name {name}, expected {'CamelCase' if folder == 'msg' else 'Action_Part'}")
     for number, line in enumerate(message.text.splitlines(), 1):
         line = line.split("#")[0].strip()
         if not line:
@@ -77,7 +97,7 @@ def read(file):
         match = FIELD.match(line)
         if not match:
             fail(file, number, f"'{line}', expected TYPE NAME, TYPE[] NAME, TYPE[N] NAME, TYPE[<=N] NAME or TYPE NAME=VALUE")
-        kind = match["type"]
+        kind = re.sub("/(msg|action)/", "/", match["type"])
         if kind not in PRIMITIVES and "/" not in kind:
             kind = f"{package}/{kind}"
         if match["text_bound"] and (kind != "string" or "[" in line):
@@ -98,7 +118,7 @@ def read(file):
 
 def read_all(folder):
     """The messages by name, each below those that it contains."""
-    files = {f"{file.parts[-3]}/{file.stem}": file for file in sorted(folder.glob("*/msg/*.msg"))}
+    files = {f"{file.parts[-3]}/{file.stem}": file for file in sorted([*folder.glob("*/msg/*.msg"), *folder.glob("*/action/*.msg")])}
     if not files:
         sys.exit(f"{folder}: no PACKAGE/msg/NAME.msg")
     messages, order = {key: read(file) for key, file in files.items()}, {}
@@ -113,6 +133,7 @@ def read_all(folder):
                 continue
             if field.kind not in messages:
                 fail(files[key], 0, f"type '{field.kind}' of {field.name} has no file in {folder}")
+            field.message = messages[field.kind]
             add(field.kind, [*above, key])
         order[key] = messages[key]
 
@@ -134,14 +155,14 @@ def contained(message, messages, found=None):
 def schema_of(message, messages):
     parts = [message.text]
     for inner in contained(message, messages).values():
-        parts.append("=" * 80 + f"\nMSG: {inner.key}\n" + inner.text)
+        parts.append("=" * 80 + f"\nMSG: {inner.schema_name}\n" + inner.text)
     return "".join(parts)
 
 
 def smallest(kind, messages):
     """Bytes of its encoding at least, without alignment."""
     if kind in PRIMITIVES:
-        return PRIMITIVES[kind][2]
+        return PRIMITIVES[kind][1]
     total = 0
     for field in messages[kind].fields:
         one = smallest(field.kind, messages)
@@ -150,7 +171,7 @@ def smallest(kind, messages):
 
 
 def cpp_type(field):
-    kind = PRIMITIVES[field.kind][0] if field.kind in PRIMITIVES else field.kind.replace("/", "::")
+    kind = f"{field.message.package}::{field.message.cpp_name}" if field.message else PRIMITIVES[field.kind][0]
     if not field.array:
         return kind
     if field.size is not None and not field.bounded:
@@ -173,8 +194,8 @@ def header_of(message, messages):
              '#include "messages/cdr_reader.hpp"', '#include "messages/cdr_writer.hpp"',
              '#include "messages/json_text.hpp"']
     lines += [f'#include "messages/{stem}.hpp"' for stem in includes]
-    lines += ["", f"namespace mrroc::messages::{message.package} {{", "", f"struct {message.name} {{"]
-    lines.append(f'  static constexpr std::string_view kType = "{message.package}/msg/{message.name}";')
+    lines += ["", f"namespace mrroc::messages::{message.package} {{", "", f"struct {message.cpp_name} {{"]
+    lines.append(f'  static constexpr std::string_view kType = "{message.ros_type}";')
     lines.append(f'  static constexpr std::string_view kHash = "{type_hash(message, contained(message, messages).values())}";')
     lines.append(f"  static constexpr std::size_t kSmallest = {smallest(message.key, messages)};  ///< bytes of an encoding, at least")
     lines.append("  static std::string_view schema() noexcept;  ///< ros2msg")
@@ -183,11 +204,11 @@ def header_of(message, messages):
     for field in message.fields:
         initial = "" if field.array and not (field.size is not None and not field.bounded) else "{}"
         lines.append(f"  {cpp_type(field)} {field.name}{initial};")
-    lines += ["", f"  bool operator==(const {message.name}&) const = default;", "};", "",
-              f"void encode(CdrWriter& writer, const {message.name}& message);",
+    lines += ["", f"  bool operator==(const {message.cpp_name}&) const = default;", "};", "",
+              f"void encode(CdrWriter& writer, const {message.cpp_name}& message);",
               "/// Throws CdrError.",
-              f"void decode(CdrReader& reader, {message.name}& message);",
-              f"void append_json(std::string& text, const {message.name}& message);", "",
+              f"void decode(CdrReader& reader, {message.cpp_name}& message);",
+              f"void append_json(std::string& text, const {message.cpp_name}& message);", "",
               f"}}  // namespace mrroc::messages::{message.package}", ""]
     return "\n".join(lines)
 
@@ -213,37 +234,17 @@ def code_of(field, verb, stream):
 def source_of(message, messages):
     lines = ["// Made by src/messages/generate.py", f'#include "messages/{message.stem}.hpp"', "",
              f"namespace mrroc::messages::{message.package} {{", "",
-             f"std::string_view {message.name}::schema() noexcept {{",
+             f"std::string_view {message.cpp_name}::schema() noexcept {{",
              f'  return R"MSG({schema_of(message, messages)})MSG";', "}", "",
-             f"void encode(CdrWriter& writer, const {message.name}& message) {{"]
+             f"void encode(CdrWriter& writer, const {message.cpp_name}& message) {{"]
     lines += [code_of(field, "encode", "writer") for field in message.fields]
-    lines += ["}", "", f"void decode(CdrReader& reader, {message.name}& message) {{"]
+    lines += ["}", "", f"void decode(CdrReader& reader, {message.cpp_name}& message) {{"]
     lines += [code_of(field, "decode", "reader") for field in message.fields]
-    lines += ["}", "", f"void append_json(std::string& text, const {message.name}& message) {{",
+    lines += ["}", "", f"void append_json(std::string& text, const {message.cpp_name}& message) {{",
               "  using messages::append_json;  // of numbers and texts"]
     lines += [json_of(field, field is message.fields[0]) for field in message.fields]
     lines += ["  text += '}';", "}", "", f"}}  // namespace mrroc::messages::{message.package}", ""]
     return "\n".join(lines)
-
-
-def idl_type(field):
-    kind = PRIMITIVES[field.kind][1] if field.kind in PRIMITIVES else field.kind.replace("/", "::msg::dds_::") + "_"
-    if field.array and (field.bounded or field.size is None):
-        return f"sequence<{kind}, {field.size}>" if field.bounded else f"sequence<{kind}>"
-    return f"string<{field.text_bound}>" if field.text_bound else kind
-
-
-def idl_of(message, messages):
-    """With the names that ROS 2 gives its types on DDS: PACKAGE::msg::dds_::Name_."""
-    includes = sorted({field.kind for field in message.fields if field.kind not in PRIMITIVES})
-    lines = [f'#include "{include.replace("/", "/msg/")}.idl"' for include in includes]
-    lines += [f"module {message.package} {{ module msg {{ module dds_ {{", "  @final", f"  struct {message.name}_ {{"]
-    for field in message.fields:
-        size = f"[{field.size}]" if field.array and field.size is not None and not field.bounded else ""
-        # a trailing underscore, as ROS 2 itself writes: some names are keywords of IDL
-        lines.append(f"    {idl_type(field)} {field.name}_{size};")
-    guard = f"MRROC_{message.package}_{message.name}".upper()
-    return "\n".join([f"#ifndef {guard}", f"#define {guard}", *lines, "  };", "}; }; };", "#endif", ""])
 
 
 def table_of(messages):
@@ -256,8 +257,8 @@ def table_of(messages):
               "  std::string text;", "  append_json(text, from_cdr<Message>(bytes));", "  return text;", "}", "",
               f"constexpr std::array<MessageType, {len(messages)}> kTypes{{{{"]
     for message in messages.values():
-        name = f"{message.package}::{message.name}"
-        lines.append(f"    {{{name}::kType, {name}::kHash, &{name}::schema, &recode<{name}>, &json<{name}>}},")
+        name = f"{message.package}::{message.cpp_name}"
+        lines.append(f'    {{"{message.path}", {name}::kHash, &{name}::schema, &recode<{name}>, &json<{name}>}},')
     lines += ["}};", "", "}  // namespace", "",
               "std::span<const MessageType> message_types() noexcept { return kTypes; }", "",
               "}  // namespace mrroc::messages", ""]
@@ -280,7 +281,7 @@ def main():
     for message in messages.values():
         write(into / "messages" / f"{message.stem}.hpp", header_of(message, messages))
         write(into / "messages" / f"{message.stem}.cpp", source_of(message, messages))
-        write(into / "idl" / message.package / "msg" / f"{message.name}.idl", idl_of(message, messages))
+        write(into / "idl" / f"{message.path}.idl", idl_of(message))
     write(into / "messages" / "message_table.cpp", table_of(messages))
 
 

@@ -13,10 +13,6 @@ BOUNDED_STRING = 21
 ARRAY, BOUNDED_SEQUENCE, SEQUENCE = 48, 96, 144  # added to the number of the element's type
 
 
-def ros_name(key):
-    return key.replace("/", "/msg/")
-
-
 def describe_field(field):
     number = TYPE_IDS.get(field.kind, NESTED)
     if field.text_bound:
@@ -25,11 +21,11 @@ def describe_field(field):
         number += SEQUENCE if field.size is None else BOUNDED_SEQUENCE if field.bounded else ARRAY
     return {"name": field.name,
             "type": {"type_id": number, "capacity": field.size or 0, "string_capacity": field.text_bound or 0,
-                     "nested_type_name": "" if field.kind in TYPE_IDS else ros_name(field.kind)}}
+                     "nested_type_name": field.message.ros_type if field.message else ""}}
 
 
 def describe(message):
-    return {"type_name": ros_name(message.key), "fields": [describe_field(field) for field in message.fields]}
+    return {"type_name": message.ros_type, "fields": [describe_field(field) for field in message.fields]}
 
 
 def type_hash(message, contained):

@@ -47,17 +47,17 @@ def check_idl(messages, idlc, folder):
     found = generate(messages / "msg", folder / "made")
     assert found.returncode == 0, found.stderr
     idl = folder / "made/idl"
-    files = sorted(idl.glob("*/msg/*.idl"))
-    assert len(files) == len(list((messages / "msg").glob("*/msg/*.msg")))
+    files = sorted(idl.glob("*/*/*.idl"))
+    assert len(files) == len(list((messages / "msg").glob("*/*/*.msg")))
     for file in files:
         c_files = folder / "c" / file.parts[-3] / file.stem
         c_files.mkdir(parents=True)
         made = subprocess.run([idlc, "-f", "case-sensitive", "-I", str(idl), "-o", str(c_files), str(file)], capture_output=True, text=True, check=False)
         assert made.returncode == 0, f"{file}: {made.stderr}"
-        package = file.parts[-3]
+        package, kind = file.parts[-3:-1]
         text = "".join(path.read_text(encoding="utf-8") for path in c_files.rglob("*.c"))
         # the name that ROS 2 gives the type on DDS
-        assert f'"{package}::msg::dds_::{file.stem}_"' in text, f"{file}: type name is missing"
+        assert f'"{package}::{kind}::dds_::{file.stem}_"' in text, f"{file}: type name is missing"
     print(f"{len(BAD)} descriptions refused, {len(files)} IDL files compiled")
 
 

@@ -47,8 +47,12 @@ void append(CdrBytes& bytes, const void* from, std::size_t count) {
   bytes.insert(bytes.end(), begin, begin + count);
 }
 
+/// No participant makes this one keep more than a few of these messages.
+constexpr std::size_t kLargestReceived = 4U << 20;
+
 /// Fragments may overlap. The memory follows the fragments, not the size that the sender states.
 ddsi_serdata* from_fragments(const ddsi_sertype* type, ddsi_serdata_kind kind, const nn_rdata* fragment, size_t size) {
+  if (size > kLargestReceived) return nullptr;
   return make(type, kind, [&](CdrBytes& bytes) {
     for (; fragment != nullptr; fragment = fragment->nextfrag) {
       const std::size_t end = std::min<std::size_t>(fragment->maxp1, size);
@@ -61,6 +65,7 @@ ddsi_serdata* from_fragments(const ddsi_sertype* type, ddsi_serdata_kind kind, c
 
 ddsi_serdata* from_parts(const ddsi_sertype* type, ddsi_serdata_kind kind, ddsrt_msg_iovlen_t count,
                          const ddsrt_iovec_t* parts, size_t size) {
+  if (size > kLargestReceived) return nullptr;
   return make(type, kind, [&](CdrBytes& bytes) {
     for (const ddsrt_iovec_t& part : std::span(parts, count))
       append(bytes, part.iov_base, std::min(part.iov_len, size - bytes.size()));

@@ -15,7 +15,7 @@ using CdrBytes = std::vector<std::byte>;
 
 /// A keyless topic whose samples are `CdrBytes` for dds_write and dds_take: no description of the type is compiled, and
 /// Cyclone does not look into a message. Whoever takes one decodes it, and refuses it there.
-/// Any thread.
+/// Received messages of more than 4 MiB are dropped. Any thread.
 ///
 /// `type`: its name on DDS. Throws SystemError (resources).
 links::Entity create_cdr_topic(dds_entity_t participant, const std::string& topic, const std::string& type);

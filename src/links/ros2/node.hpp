@@ -8,7 +8,8 @@ namespace mrroc::ros2 {
 /// What the releases of ROS 2 have different on the wire.
 enum class Distro {
   humble,  ///< identities of 24 bytes in the list of nodes, no type hashes
-  iron,    ///< and Jazzy, Kilted: identities of 16 bytes, type hashes
+  iron,    ///< and Jazzy: identities of 16 bytes, type hashes
+  kilted,  ///< and later: as Iron, with indices in the feedback of FollowJointTrajectory
 };
 
 struct NodeOptions {

@@ -12,6 +12,10 @@ std::string dds_topic(std::string_view topic) { return std::string("rt").append(
 std::string dds_request_topic(std::string_view service) { return std::string("rq").append(service).append("Request"); }
 std::string dds_reply_topic(std::string_view service) { return std::string("rr").append(service).append("Reply"); }
 
+std::string action_name(std::string_view action, std::string_view part) {
+  return std::string(action).append("/_action/").append(part);
+}
+
 std::string dds_type(std::string_view type) {
   const std::size_t name = type.rfind('/') + 1;
   std::string text;

@@ -12,6 +12,8 @@ std::string dds_topic(std::string_view topic);
 /// "rq/mrroc/startRequest" and "rr/mrroc/startReply" of "/mrroc/start".
 std::string dds_request_topic(std::string_view service);
 std::string dds_reply_topic(std::string_view service);
+/// "/arm/move/_action/status" of the action "/arm/move" and "status".
+std::string action_name(std::string_view action, std::string_view part);
 /// "sensor_msgs::msg::dds_::JointState_" of "sensor_msgs/msg/JointState".
 std::string dds_type(std::string_view type);
 

@@ -11,6 +11,8 @@ TEST(RosNames, OfTopicsAndServicesOnDds) {
   EXPECT_EQ(dds_reply_topic("/mrroc_press/start"), "rr/mrroc_press/startReply");
 }
 
+TEST(RosNames, OfThePartsOfAnAction) { EXPECT_EQ(action_name("/arm/move", "status"), "/arm/move/_action/status"); }
+
 TEST(RosNames, OfTypesOnDds) {
   EXPECT_EQ(dds_type("sensor_msgs/msg/JointState"), "sensor_msgs::msg::dds_::JointState_");
   EXPECT_EQ(dds_type("std_srvs/srv/Trigger_Request"), "std_srvs::srv::dds_::Trigger_Request_");
