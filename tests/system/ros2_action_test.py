@@ -19,8 +19,11 @@ from ros2_action import (ABORTED, CANCELED, EXECUTING, GOAL_TOLERANCE_VIOLATED, 
 from ros2_peers import DOMAIN, SOURCE, Run, enter_network
 from ros2_trigger import endpoints
 
+# rosless aligns an empty sequence of numbers, which CDR does not: the last field is only its count
+rosless.register_type("sensor_msgs/msg/JointState",
+                      "std_msgs/Header header\nstring[] name\nfloat64[] position\nfloat64[] velocity\nuint32 effort_count")
 # the task runs Move({arm}, {}, External{arm})
-EXTERNAL = SOURCE / "tasks/external/external.toml"
+EXTERNAL = SOURCE / "tasks/external/waiting.toml"
 PRESS = SOURCE / "tasks/press/press.toml"
 ACTION = "/arm/follow_joint_trajectory"
 JOINTS = ["column", "lower_arm", "upper_arm", "wrist_pitch", "wrist_roll", "tool_roll"]
