@@ -38,6 +38,7 @@ set(MRROC_INCLUDED_HEADERS
   src/faults/fault.hpp
   src/faults/fault_plan.hpp
   src/links/exchange/operator_requester.hpp
+  src/links/exchange/trajectory_receiver.hpp
   src/links/exchange/requester.hpp
   src/links/exchange/responder.hpp
   src/links/exchange/robot_requester.hpp
@@ -70,6 +71,7 @@ set(MRROC_INCLUDED_HEADERS
   src/process/status_board.hpp
   src/process/fibers.hpp
   src/process/task_process.hpp
+  src/process/task_trajectories.hpp
   src/world/world_memory.hpp
   vsp/raw_reading.hpp
 )

@@ -1,6 +1,5 @@
 #include "config/entries/trajectory_entry.hpp"
 
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -13,7 +12,7 @@ namespace {
 using Order = JointTrajectory::Order;
 
 constexpr const char* kValues[] = {"positions", "velocities", "accelerations"};
-constexpr Range kTolerance{0, std::numeric_limits<double>::max()};
+constexpr Range kTolerance{.min = 0};
 
 Order order_of(const Table& point) {
   if (!point.has("velocities")) {
