@@ -13,8 +13,9 @@ namespace mrroc {
 
 namespace {
 
-constexpr double kReserve = 0.05;  // of each limit: what the deviation has at least
-constexpr double kOn = 1e-9;       // rad or m: on the trajectory
+constexpr double kReserve = 0.05;        // of each limit: what the deviation has at least
+constexpr double kMeanVelocity = 1.001;  // of the limit: what numbers of few digits may exceed it by
+constexpr double kOn = 1e-9;             // rad or m: on the trajectory
 
 std::vector<AxisTracker> trackers_of(const Robot& robot) {
   std::vector<AxisTracker> axes;
@@ -69,7 +70,7 @@ ErrorReport TrajectoryFollower::check(const JointTrajectory& trajectory) const n
       if (duration <= 0 && way > External::kStart)
         return refusal(ErrorCode::invalid_argument, "point 0 at time 0: joint %s %.4g from the robot, expected %.4g",
                        name, way, External::kStart);
-      if (duration > 0 && way > axes[i].velocity_max * duration + External::kStart)
+      if (duration > 0 && way > kMeanVelocity * axes[i].velocity_max * duration)
         return refusal(ErrorCode::velocity_limit, "point %zu: joint %s needs a velocity of %.4g, limit %.4g", point,
                        name, way / duration, axes[i].velocity_max);
       joints[axis] = position;

@@ -282,14 +282,16 @@ TEST(External, RefusesWhatTheRobotCannotFollowAndContinues) {
       rig.task.link.send(7, blend(rig.joints(), JointVector::Constant(6, 0.1), 4, Order::accelerations));
       rig.task.link.parts.erase(rig.task.link.parts.begin() + 1);  // a part is lost
     }
+    if (step == 25)  // in small pieces, each too fast
+      rig.task.link.send(8, blend(rig.joints(), JointVector::Constant(6, 3), 0.3, Order::accelerations));
     if (step == 30) rig.task.link.cancel(0);  // of none
   };
   rig.run();
   std::vector<TrajectoryState> expected{TrajectoryState::yielded, TrajectoryState::begun};
-  expected.insert(expected.end(), 6, TrajectoryState::refused);
+  expected.insert(expected.end(), 7, TrajectoryState::refused);
   expected.insert(expected.end(), {TrajectoryState::arrived, TrajectoryState::withdrawn});
   EXPECT_EQ(rig.task.link.states(), expected);
-  for (std::size_t i = 2; i < 8; ++i) {
+  for (std::size_t i = 2; i < 9; ++i) {
     EXPECT_EQ(rig.task.link.reports.at(i).trajectory, i);
     EXPECT_FALSE(rig.task.link.reports.at(i).text.empty());
   }
