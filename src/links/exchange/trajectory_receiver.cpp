@@ -9,13 +9,13 @@ namespace mrroc::links {
 namespace {
 
 /// A task that does not look for a while finds all parts of the longest trajectory.
-const std::size_t kParts = JointTrajectory::most_numbers(kMaxJoints) / TrajectoryPart::kNumbers + 2;
+std::size_t most_parts() noexcept { return JointTrajectory::most_numbers(kMaxJoints) / TrajectoryPart::kNumbers + 2; }
 
 }  // namespace
 
 TrajectoryReceiver::TrajectoryReceiver(Domain& domain, clock::Clock& clock, const std::string& prefix)
     : writer_(domain, clock, topic_name(prefix, "trajectory_report")),
-      reader_(domain, clock, topic_name(prefix, "trajectory"), {.depth = kParts}) {}
+      reader_(domain, clock, topic_name(prefix, "trajectory"), {.depth = most_parts()}) {}
 
 void TrajectoryReceiver::connect(double timeout) { links::connect(writer_, {&reader_}, timeout, "the operator"); }
 
