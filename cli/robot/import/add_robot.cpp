@@ -106,6 +106,7 @@ class Import {
                  robot_toml(type_, request_.urdf.filename().string(), arm_, axes_, kind_, drives, home));
     folder.write(type_ + ".urdf", urdf_copy(request_.urdf, shapes.files()));
     folder.write("demo.toml", demo_deployment(type_, reach_));
+    folder.write("external.toml", external_deployment(type_, reach_));
     folder.keep();
     return report(model);
   }

@@ -31,6 +31,29 @@ scene = "demo.xml"
                      type, demo_height(reach));
 }
 
+std::string external_deployment(const std::string& type, double reach) {
+  return fmt::format(
+      R"(# {0} follows the trajectories of other programs: of 'mrroc follow arm FILE', and of MoveIt by the action
+# /arm/follow_joint_trajectory. Run it: mrroc run external.toml; end it: mrroc trigger
+[deployment]
+name = "{0}_external"
+clock = "paced"
+
+[robots.arm]
+type = "{0}"
+program = "mrroc_arm_external"
+hardware = "mujoco"
+position = [0.0, 0.0, {1:.3f}]  # m; the pedestal's height
+
+[ros2]
+commands = true
+
+[sim]
+scene = "demo.xml"
+)",
+      type, demo_height(reach));
+}
+
 std::string demo_scene(const std::string& type, double reach) {
   const double height = demo_height(reach);
   return fmt::format(R"(<!-- A pedestal under the arm. -->

@@ -102,7 +102,7 @@ TEST_F(AddRobot, WritesACompleteType) {
   const std::string report = add_robot(add);
   const fs::path type = add.into / "dae_collision";
   EXPECT_EQ(names_in(type), (std::vector<std::string>{"dae_collision.toml", "dae_collision.urdf", "dae_collision.xml",
-                                                      "demo.toml", "demo.xml", "meshes"}));
+                                                      "demo.toml", "demo.xml", "external.toml", "meshes"}));
   EXPECT_NE(report.find("next: " + demo_command(type) + "\n"), std::string::npos);
   EXPECT_NE(text_of(type / "dae_collision.urdf").find("filename=\"meshes/cube.stl\""), std::string::npos);
   EXPECT_NE(text_of(type / "dae_collision.toml").find("velocity_max = 2.0  # URDF line "), std::string::npos);
