@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-#include "cli/robot/import/toml_text.hpp"
+#include "config/entries/trajectory_entry.hpp"
 #include "config/text/message_text.hpp"
 
 namespace mrroc::cli {
@@ -73,9 +73,9 @@ std::vector<double> derivative(const std::vector<double>& values, const std::vec
 std::vector<TrajectoryGoal::Point> read_points(const JointTrajectory& trajectory,
                                                const std::vector<std::size_t>& order) {
   const std::vector<JointTrajectoryPoint>& given = trajectory.points;
-  if (given.empty() || given.size() > TrajectoryGoal::kMostPoints)
+  if (given.empty() || given.size() > mrroc::JointTrajectory::kMostPoints)
     throw GoalRefused(std::to_string(given.size()) + " points, expected 1 to " +
-                      std::to_string(TrajectoryGoal::kMostPoints));
+                      std::to_string(mrroc::JointTrajectory::kMostPoints));
   std::vector<TrajectoryGoal::Point> points;
   std::int64_t least = 0;
   for (const JointTrajectoryPoint& each : given) {
@@ -128,10 +128,6 @@ double read_time_tolerance(const Duration& given) {
   return seconds_of(tolerance);
 }
 
-std::string toml_list(const std::vector<double>& values) {
-  return toml_array(Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size())));
-}
-
 }  // namespace
 
 TrajectoryGoal read_goal(const messages::control_msgs::FollowJointTrajectoryGoal& goal,
@@ -149,18 +145,21 @@ TrajectoryGoal read_goal(const messages::control_msgs::FollowJointTrajectoryGoal
 }
 
 std::string trajectory_file(const TrajectoryGoal& goal) {
-  std::string text = "points = [\n";
-  for (const TrajectoryGoal::Point& point : goal.points) {
-    text += "  {time = " + toml_number(point.time) + ", positions = " + toml_list(point.positions);
-    if (!point.velocities.empty()) text += ", velocities = " + toml_list(point.velocities);
-    if (!point.accelerations.empty()) text += ", accelerations = " + toml_list(point.accelerations);
-    text += "},\n";
+  using Order = mrroc::JointTrajectory::Order;
+  const TrajectoryGoal::Point& first = goal.points.front();
+  const Order order = first.velocities.empty()      ? Order::positions
+                      : first.accelerations.empty() ? Order::velocities
+                                                    : Order::accelerations;
+  mrroc::JointTrajectory trajectory(first.positions.size(), order, goal.points.size());
+  for (std::size_t i = 0; i < goal.points.size(); ++i) {
+    const TrajectoryGoal::Point& point = goal.points[i];
+    std::vector<double> values = point.positions;
+    values.insert(values.end(), point.velocities.begin(), point.velocities.end());
+    values.insert(values.end(), point.accelerations.begin(), point.accelerations.end());
+    trajectory.set_point(i, point.time, values);
   }
-  text += "]\n";
-  if (!goal.path_tolerance.empty()) text += "path_tolerance = " + toml_list(goal.path_tolerance) + "\n";
-  if (!goal.goal_tolerance.empty()) text += "goal_tolerance = " + toml_list(goal.goal_tolerance) + "\n";
-  if (goal.goal_time_tolerance > 0) text += "goal_time_tolerance = " + toml_number(goal.goal_time_tolerance) + "\n";
-  return text;
+  trajectory.set_tolerances(goal.path_tolerance, goal.goal_tolerance, goal.goal_time_tolerance);
+  return config::text_of(trajectory);
 }
 
 }  // namespace mrroc::cli

@@ -11,8 +11,6 @@ namespace mrroc::cli {
 
 /// A trajectory for one robot: rad or m and s, in the order of its axes.
 struct TrajectoryGoal {
-  static constexpr std::size_t kMostPoints = 2000;
-
   struct Point {
     double time = 0;  ///< since the goal was accepted
     std::vector<double> positions;
@@ -41,7 +39,7 @@ class TrajectoryPast : public GoalRefused {
 TrajectoryGoal read_goal(const messages::control_msgs::FollowJointTrajectoryGoal& goal,
                          const std::vector<std::string>& joints, const messages::builtin_interfaces::Time& now);
 
-/// The file of a trajectory. Any thread.
+/// The file of a trajectory, as config::load_trajectory reads it. Any thread.
 std::string trajectory_file(const TrajectoryGoal& goal);
 
 }  // namespace mrroc::cli

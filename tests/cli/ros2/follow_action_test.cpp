@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "config/text/file_text.hpp"
+#include "config/entries/trajectory_entry.hpp"
 #include "links/ros2/service_client.hpp"
 #include "mrroc/testing/scratch_folder.hpp"
 
@@ -110,8 +110,16 @@ TEST_F(FollowActionTest, AGoalBecomesARequestToTheRun) {
   ASSERT_EQ(sent.size(), 1u);
   EXPECT_EQ(sent[0].at("verb"), "follow");
   EXPECT_EQ(sent[0].at("robot"), "arm");
-  EXPECT_EQ(config::read_file(sent[0].at("file").get<std::string>()),
-            "points = [\n  {time = 1.0, positions = [1.0, 2.0]},\n  {time = 2.0, positions = [2.0, 4.0]},\n]\n");
+  const auto read = config::load_trajectory(sent[0].at("file").get<std::string>(), 2);
+  ASSERT_EQ(read->points(), 2U);
+  EXPECT_EQ(read->order(), JointTrajectory::Order::positions);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(read->time(i), static_cast<double>(i) + 1);
+    EXPECT_EQ(read->position(i, 0), static_cast<double>(i) + 1);
+    EXPECT_EQ(read->position(i, 1), 2 * (static_cast<double>(i) + 1));
+    EXPECT_EQ(read->path_tolerance(i), 0);
+    EXPECT_EQ(read->goal_tolerance(i), 0);
+  }
   reply(sent[0].at("id"), {{"ok", true}});
   expect_result(Status::STATUS_SUCCEEDED, Result::SUCCESSFUL, "");
   EXPECT_EQ(files(), 0u);
