@@ -9,49 +9,41 @@ namespace {
 constexpr double kPedestal = 0.7;  // height, of the reach
 constexpr double kGap = 0.01;      // m, from the pedestal to the base: shapes of links may reach below it
 
+/// With the arm on its pedestal; `program`: of the stock programs mrroc_arm_...
+std::string deployment(const std::string& type, double reach, const char* program, const char* clock,
+                       const char* more) {
+  return fmt::format(R"([deployment]
+name = "{0}_{1}"
+clock = "{2}"
+
+[robots.arm]
+type = "{0}"
+program = "mrroc_arm_{1}"
+hardware = "mujoco"
+position = [0.0, 0.0, {3:.3f}]  # m; the pedestal's height
+
+{4}[sim]
+scene = "demo.xml"
+)",
+                     type, program, clock, demo_height(reach), more);
+}
+
 }  // namespace
 
 double demo_height(double reach) { return kPedestal * reach; }
 
 std::string demo_deployment(const std::string& type, double reach) {
-  return fmt::format(R"(# A tour of the workspace of {0}. Run it: mrroc run demo.toml
-[deployment]
-name = "{0}_demo"
-clock = "lockstep"
-
-[robots.arm]
-type = "{0}"
-program = "mrroc_arm_demo"
-hardware = "mujoco"
-position = [0.0, 0.0, {1:.3f}]  # m; the pedestal's height
-
-[sim]
-scene = "demo.xml"
-)",
-                     type, demo_height(reach));
+  return fmt::format("# A tour of the workspace of {}. Run it: mrroc run demo.toml\n", type) +
+         deployment(type, reach, "demo", "lockstep", "");
 }
 
 std::string external_deployment(const std::string& type, double reach) {
   return fmt::format(
-      R"(# {0} follows the trajectories of other programs: of 'mrroc follow arm FILE', and of MoveIt by the action
-# /arm/follow_joint_trajectory. Run it: mrroc run external.toml; end it: mrroc trigger
-[deployment]
-name = "{0}_external"
-clock = "paced"
-
-[robots.arm]
-type = "{0}"
-program = "mrroc_arm_external"
-hardware = "mujoco"
-position = [0.0, 0.0, {1:.3f}]  # m; the pedestal's height
-
-[ros2]
-commands = true
-
-[sim]
-scene = "demo.xml"
-)",
-      type, demo_height(reach));
+             "# {} follows the trajectories of other programs: of 'mrroc follow arm FILE', and of MoveIt by the "
+             "action\n"
+             "# /arm/follow_joint_trajectory. Run it: mrroc run external.toml; end it: mrroc trigger\n",
+             type) +
+         deployment(type, reach, "external", "paced", "[ros2]\ncommands = true\n\n");
 }
 
 std::string demo_scene(const std::string& type, double reach) {

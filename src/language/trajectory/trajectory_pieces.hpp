@@ -6,8 +6,8 @@
 
 namespace mrroc {
 
-/// A JointTrajectory as one polynomial per axis and piece: piece k leads to point k, from the point before or, if there
-/// is none and point 0 is not at time 0, from the state of the robot at the start. Degree five where accelerations are
+/// A JointTrajectory as one polynomial per axis and piece: piece k leads to point k, from the point before; piece 0, if
+/// its point is not at time 0, from the state of the robot at the start. Degree five where accelerations are
 /// given, three where velocities are, and where positions alone are: of degree three, with the velocity 0 at a point
 /// at which the direction changes, and the weighted harmonic mean of the two slopes at another (Fritsch and Butland,
 /// SIAM J. Sci. Stat. Comput. 5, 1984), so that no point is overshot. One thread; allocates nothing, never throws.
