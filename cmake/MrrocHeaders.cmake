@@ -38,7 +38,7 @@ set(MRROC_INCLUDED_HEADERS
   src/faults/fault.hpp
   src/faults/fault_plan.hpp
   src/links/exchange/operator_requester.hpp
-  src/links/exchange/trajectory_receiver.hpp
+  src/links/trajectory/trajectory_receiver.hpp
   src/links/exchange/requester.hpp
   src/links/exchange/responder.hpp
   src/links/exchange/robot_requester.hpp

@@ -16,7 +16,7 @@
 #include "cli/operator/trajectories.hpp"
 #include "cli/operator/verb_reply.hpp"
 #include "cli/operator/verb_request.hpp"
-#include "cli/operator/watched_states.hpp"
+#include "cli/operator/watching/watched_states.hpp"
 #include "config/deployment.hpp"
 #include "links/wire/process_status.hpp"
 

@@ -9,7 +9,7 @@
 
 #include "clock/clock.hpp"
 #include "config/deployment.hpp"
-#include "links/exchange/trajectory_sender.hpp"
+#include "links/trajectory/trajectory_sender.hpp"
 #include "links/transport/domain.hpp"
 #include "mrroc/joint_trajectory.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "links/exchange/trajectory_receiver.hpp"
+#include "links/trajectory/trajectory_receiver.hpp"
 #include "mrroc/trajectory_link.hpp"
 #include "process/process.hpp"
 

@@ -1,4 +1,4 @@
-#include "cli/operator/telemetry_feed.hpp"
+#include "cli/operator/watching/telemetry_feed.hpp"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-#include "cli/operator/watched_states.hpp"
+#include "cli/operator/watching/watched_states.hpp"
 
 namespace mrroc::cli {
 

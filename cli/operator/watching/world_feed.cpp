@@ -1,4 +1,4 @@
-#include "cli/operator/world_feed.hpp"
+#include "cli/operator/watching/world_feed.hpp"
 
 #include <cstddef>
 #include <nlohmann/json.hpp>

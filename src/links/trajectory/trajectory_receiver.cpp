@@ -1,4 +1,4 @@
-#include "links/exchange/trajectory_receiver.hpp"
+#include "links/trajectory/trajectory_receiver.hpp"
 
 #include "links/exchange/connect.hpp"
 #include "links/transport/topic_name.hpp"

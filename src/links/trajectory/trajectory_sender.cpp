@@ -1,4 +1,4 @@
-#include "links/exchange/trajectory_sender.hpp"
+#include "links/trajectory/trajectory_sender.hpp"
 
 #include "links/transport/topic_name.hpp"
 

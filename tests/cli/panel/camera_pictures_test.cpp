@@ -8,7 +8,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "cli/operator/world_feed.hpp"
+#include "cli/operator/watching/world_feed.hpp"
 #include "cli/panel/scene.hpp"
 #include "mrroc/testing/scratch_folder.hpp"
 #include "sensors/camera/pictures/simulated_camera.hpp"

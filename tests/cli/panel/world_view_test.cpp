@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "cli/operator/telemetry_feed.hpp"
-#include "cli/operator/world_feed.hpp"
+#include "cli/operator/watching/telemetry_feed.hpp"
+#include "cli/operator/watching/world_feed.hpp"
 #include "cli/panel/scene.hpp"
 #include "config/robot_parameters_file.hpp"
 #include "config/table.hpp"
