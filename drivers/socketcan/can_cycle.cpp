@@ -13,7 +13,7 @@ using namespace canopen;
 using can::BusError;
 
 constexpr double kBetweenStops = 0.1;  // s
-constexpr int kFramesOfFence = 10000;  // at most, before a fence: a babbling node must not stop the servo
+constexpr int kLateFrames = 10000;  // at most, taken after a deadline: a babbling node must not stop the servo
 
 std::int64_t ns(double seconds) { return std::llround(seconds * 1e9); }
 
@@ -129,9 +129,10 @@ bool CanHardware::pass_fence(bool ends_cycle) noexcept {
   const std::int64_t deadline = nodes_lost_ ? 0 : clock::monotonic_ns() + ns(timing_.timeout);
   can::Frame frame;
   // a frame that has arrived is taken also after the deadline: this process may have been stopped meanwhile
-  for (int count = 0; count < kFramesOfFence && bus_->receive(frame, deadline); ++count) {
+  for (int late = 0; late < kLateFrames && bus_->receive(frame, deadline);) {
     dispatch(frame);
     if (fence_is_back_) return true;
+    if (clock::monotonic_ns() > deadline) ++late;
   }
   nodes_lost_ = true;
   return false;

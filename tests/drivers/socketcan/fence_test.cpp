@@ -5,6 +5,7 @@
 #include <chrono>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include "can_rig.hpp"
 
@@ -19,10 +20,40 @@ config::DriveTable strict_table() {
   return table;
 }
 
+/// A bus on which another node sends `frames` more in front of each returned fence.
+class BusyBus : public can::Bus {
+ public:
+  BusyBus(std::unique_ptr<can::Bus> bus, int frames) : bus_(std::move(bus)), frames_(frames) {}
+  can::Sent send(const can::Frame& frame) noexcept override { return bus_->send(frame); }
+  bool receive(can::Frame& frame, std::int64_t deadline) noexcept override {
+    if (left_ > 0) {
+      frame = --left_ > 0 ? can::Frame{0x1ff, {}} : fence_;
+      return true;
+    }
+    if (!bus_->receive(frame, deadline)) return false;
+    if (frames_ == 0 || !can::fence_of(frame, can::kReturnedFence)) return true;
+    fence_ = std::exchange(frame, can::Frame{0x1ff, {}});
+    left_ = frames_;
+    return true;
+  }
+  void filter(std::span<const can::Filter> filters) override { bus_->filter(filters); }
+  bool carries_fd() const noexcept override { return bus_->carries_fd(); }
+  int descriptor() const noexcept override { return bus_->descriptor(); }
+
+ private:
+  std::unique_ptr<can::Bus> bus_;
+  int frames_;
+  int left_ = 0;
+  can::Frame fence_;
+};
+
 /// The driver in lockstep, without a servo.
 struct Fenced {
-  explicit Fenced(double timeout = kFar)
-      : hardware(table, model.parameters(), kCanPeriod, bus.opener(), {timeout, false, true}, true) {}
+  explicit Fenced(double timeout = kFar, int other_frames = 0)
+      : hardware(
+            table, model.parameters(), kCanPeriod,
+            [this, other_frames] { return std::make_unique<BusyBus>(bus.open(), other_frames); },
+            {timeout, false, true}, true) {}
   void run(Tick ticks) {
     for (const Tick end = tick + ticks; tick < end; ++tick) {
       hardware.read(tick, input);
@@ -103,6 +134,15 @@ TEST(Fence, DrivesThatDoNotReturnItAreLostUntilTheReset) {
   fenced.hardware.reset_fault();
   for (int i = 0; i < 1000 && (fenced.hardware.busy() || fenced.input.fault != ErrorCode::none); ++i) fenced.run(1);
   EXPECT_EQ(fenced.input.fault, ErrorCode::none) << text_of(fenced);
+}
+
+TEST(Fence, FramesOfOtherNodesDoNotEndTheWait) {
+  for (const int frames : {1, 9999, 10000, 100000}) {
+    Fenced fenced(kFar, frames);
+    fenced.hardware.open();
+    fenced.run(5);
+    EXPECT_EQ(fenced.input.fault, ErrorCode::none) << frames << ": " << text_of(fenced);
+  }
 }
 
 TEST(Fence, DrivesReturnThoseOfTheirMasterAlone) {
