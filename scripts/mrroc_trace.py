@@ -1,15 +1,26 @@
-"""Reads the trace of a run: `for step in mrroc_trace.steps(path)` yields one Step per line, in the order of the file.
+"""Reads the steps of a recording: `for step in mrroc_trace.steps(path)` yields one Step per step of a Move or Wait, in the order of the file.
 
-docs/reference/trace.md describes the fields. Units: ticks, rad, m, N, N m. A pose is (x, y, z, qw, qx, qy, qz), a wrench (fx, fy, fz, tx, ty, tz).
+docs/reference/recording.md describes recordings, src/messages/msg their messages. Units: ticks, rad, m, N, N m. A pose is
+(x, y, z, qw, qx, qy, qz), a wrench (fx, fy, fz, tx, ty, tz). A number that is not finite is nan.
+
+`mrroc trace cat` decodes the recording. The program is that of the environment variable MRROC, else build/bin/mrroc of this source tree,
+else mrroc of PATH.
 """
 
 import dataclasses
-import re
+import json
+import math
+import os
+import pathlib
+import subprocess
+import sys
 
-LONGEST = 16384  # bytes; the writer cuts a longer line
-SHOWN = 60  # characters of a text in a message
-ENDINGS = ("condition", "generator", "end_motion", "stopped", "non_fatal_error", "hardware_error", "system_error")
-TARGETS = {"pose": 7, "twist": 6, "force": 6}  # numbers of the target by kind of command; the other targets have one per axis
+KINDS = ("query", "hold", "joint", "pose", "motor", "joint_velocity", "twist", "force", "change")  # as numbered in Command.msg
+INTERPOLATIONS = ("joints", "motors", "task")
+ENDINGS = (None, "condition", "generator", "end_motion", "stopped", "non_fatal_error", "hardware_error", "system_error")
+ERRORS = (None, "non-fatal error", "hardware error", "system error")
+MODES = ("interactive", "polled", "published")
+TARGETS = {"query": 0, "hold": 0, "change": 0, "pose": 7, "twist": 6, "force": 12}  # numbers; the other kinds have one per axis
 
 
 @dataclasses.dataclass
@@ -70,110 +81,90 @@ class Step:
 
 
 def steps(path):
-    """Yields the steps of a trace. Raises ValueError with the file, the line number, the invalid text and what was expected."""
-    with open(path, "rb") as trace:
-        for number, line in enumerate(trace, 1):
-            if line.startswith(b"#"):
-                continue
-            try:
-                step = _step(line)
-            except ValueError as error:
-                raise ValueError(f"{path}:{number}: {error}") from None
+    """Yields the steps of a recording, or of a file .jsonl with the output of `mrroc trace cat`.
+
+    Raises ValueError with the file and the reason when a message is malformed, and at the end when the program could not read the file.
+    """
+    for number, line in enumerate(_lines(path), 1):
+        try:
+            entry = json.loads(line, parse_int=_whole)
+            step = _step(entry["message"]) if entry["type"] == "mrroc_msgs/msg/Step" else None
+        except KeyError as error:
+            raise ValueError(f"{path}: message {number}: the field {error} is missing") from None
+        except (TypeError, ValueError) as error:
+            raise ValueError(f"{path}: message {number}: {error}") from None
+        if step:
             yield step
 
 
-def _malformed(text, expected):
-    return ValueError(f"'{text[:SHOWN]}', expected {expected}")
+def _lines(path):
+    if str(path).endswith(".jsonl"):
+        with open(path, "rb") as file:
+            yield from file
+        return
+    own = pathlib.Path(__file__).resolve().parents[1] / "build/bin/mrroc"
+    program = os.environ.get("MRROC") or (own if own.exists() else "mrroc")
+    with subprocess.Popen([program, "trace", "cat", path], stdout=subprocess.PIPE, stderr=subprocess.PIPE) as cat:
+        yield from cat.stdout
+        report = cat.stderr.read().decode(errors="replace").strip()
+    if cat.returncode != 0:
+        raise ValueError(f"{path}: {report or f'{program} trace cat: exit code {cat.returncode}'}")
+    if report:
+        print(report, file=sys.stderr)  # the recording ends early
 
 
-def _count(text):
-    if not (text.isascii() and text.isdigit()):
-        raise _malformed(text, "a whole number")
-    return int(text)
+def _whole(digits):
+    return -0.0 if digits == "-0" else int(digits)  # a coordinate may be -0.0
 
 
-def _numbers(text, size=None):
-    try:
-        numbers = [float(value) for value in text.split(",")] if text else []
-    except ValueError:
-        raise _malformed(text, "numbers separated by commas") from None
-    if size not in (None, len(numbers)):
-        raise _malformed(text, f"{size} numbers")
-    return numbers
+def _word(message, key, words):
+    if message[key] not in range(len(words)):
+        raise ValueError(f"{key}: {message[key]}, expected 0 to {len(words) - 1}")
+    return words[message[key]]
 
 
-def _ending(text):
-    if text not in ENDINGS:
-        raise _malformed(text, f"one of {', '.join(ENDINGS)}")
-    return text
+def _numbers(values):
+    return [math.nan if value is None else float(value) for value in values]
 
 
-def _command(text):
-    fields, _ = _take(COMMAND, text)
-    command = Command(**fields)
-    if len(command.target) != TARGETS.get(command.kind, len(command.target)):
-        raise _malformed(text, f"{TARGETS[command.kind]} numbers as the target")
-    if (command.kind == "force") != (command.behaviour is not None):
-        raise _malformed(text, "a letter per axis and a wrench after the target of force, and of no other kind")
-    return command
+def _pose(message):
+    position, orientation = message["position"], message["orientation"]
+    return _numbers([*(position[axis] for axis in "xyz"), *(orientation[axis] for axis in "wxyz")])
 
 
-def _take(pattern, text):
-    """The fields of a part of a line by their keys, without those that are missing, and the text after the part."""
-    found = pattern.match(text)
-    if not found:
-        raise _malformed(text, "the fields " + ", ".join(pattern.groupindex) + ", in this order")
-    fields = {}
-    for key, value in found.groupdict().items():
-        try:
-            if value is not None:
-                fields[key] = READERS.get(key, str)(value)
-        except ValueError as error:
-            raise ValueError(f"{key}: {error}") from None
-    return fields, text[found.end():]
+def _error(message):
+    name = _word(message, "error_class", ERRORS)
+    return f"{name}: {message['error']}" if name else None
 
 
-def _step(line):
-    if len(line) > LONGEST or not line.endswith(b"\n"):
-        raise _malformed(line[-SHOWN:].decode(errors="replace"), f"a whole line, of less than {LONGEST} characters: this line is cut")
-    fields, rest = _take(STEP, line.decode().rstrip("\n"))
-    step = Step(**fields)
-    for key, pattern, kind, parts in (("robot", ROBOT, Robot, step.robots), ("sensor", SENSOR, Sensor, step.sensors)):
-        while rest.startswith(f" {key}="):
-            fields, rest = _take(pattern, rest)
-            name = fields.pop(key)
-            parts[name] = kind(**fields)
-    while rest.startswith(" condition="):
-        fields, rest = _take(CONDITION, rest)
-        step.conditions[fields["condition"]] = fields["value"] == "1"
-    fields, rest = _take(END, rest)
-    if rest:
-        raise _malformed(rest, "a field of the trace or the end of the line")
-    return dataclasses.replace(step, **fields)
+def _command(message):
+    kind, target = _word(message, "kind", KINDS), _numbers(message["target"])
+    if len(target) != TARGETS.get(kind, len(target)):
+        raise ValueError(f"target of {kind}: {len(target)} numbers, expected {TARGETS[kind]}")
+    target, behaviour, wrench = (target[:6], message["behaviour"], target[6:]) if kind == "force" else (target, None, None)
+    return Command(kind, message["motion_steps"], message["reply_step"], message["relative"],
+                   _word(message, "interpolation", INTERPOLATIONS), message["start_tick"] or None, target, behaviour, wrench)
 
 
-def _pattern(text):
-    """Of a part of a line: KEY=_ stands for a field without spaces, KEY="_" for a text in quotes."""
-    return re.compile(re.sub(r'(\w+)="_"', r'\1="(?P<\1>.*?)"', re.sub(r"(\w+)=_", r"\1=(?P<\1>\\S*)", text)), re.ASCII)
+def _robot(message):
+    return Robot(message["tick"], message["macrostep_start"], _numbers(message["joints"]), _pose(message["pose"]), message["desired_tick"],
+                 _numbers(message["desired_joints"]), _pose(message["desired_pose"]), message["moving"], message["late_commands"],
+                 _numbers(message["wrench"]) or None, *_numbers([message["lost"]]), _error(message),
+                 next(map(_command, message["command"]), None))
 
 
-STEP = _pattern('tick=_ process=_ instruction=_ (?:move="_"(?: until="_")?|wait="_") step=_(?: held=_)?')
-ROBOT = _pattern(" robot=_ tick=_ macrostep=_ joints=_ pose=_ desired_tick=_ desired=_ desired_pose=_(?P<moving> moving)?(?: late=_)?"
-                 '(?: wrench=_)?(?: lost=_)?(?: error="_")?(?: command=_)?')
-COMMAND = re.compile(r"(?P<kind>(?:query|hold|change)(?!.*:)|(?:joint|pose|motor|joint_velocity|twist|force)(?=,.*:))(?P<relative>,relative)?"
-                     r"(?:,(?P<interpolation>motors|task))?,N(?P<motion_steps>\d+),v(?P<reply_step>\d+)(?:,start(?P<start_tick>\d+))?"
-                     r"(?::(?P<target>.+?)(?:,(?P<behaviour>[ugc?]{6}),(?P<wrench>.+))?)?$")
-SENSOR = _pattern(' sensor=_ tick=_ values=_(?: period=_)?(?P<published> published)?(?P<polled> polled)?(?: error="_")?')
-CONDITION = _pattern(' condition="_":(?P<value>[01])')
-END = _pattern(r"(?: end=(?P<ending>\S+))?(?: skew=_)?")
-READERS = {
-    **dict.fromkeys(("tick", "instruction", "step", "held", "macrostep", "desired_tick", "late", "period", "skew"), _count),
-    **dict.fromkeys(("motion_steps", "reply_step", "start_tick"), _count),
-    **dict.fromkeys(("joints", "desired", "values", "target"), _numbers),
-    **dict.fromkeys(("pose", "desired_pose"), lambda text: _numbers(text, 7)),
-    **dict.fromkeys(("moving", "published", "polled", "relative"), bool),
-    "wrench": lambda text: _numbers(text, 6),
-    "lost": lambda text: _numbers(text, 1)[0],
-    "ending": _ending,
-    "command": _command,
-}
+def _sensor(message):
+    mode = _word(message, "mode", MODES)
+    return Sensor(message["tick"], _numbers(message["values"]), message["period"], mode == "published", mode == "polled", _error(message))
+
+
+def _step(message):
+    if message["cut"]:
+        raise ValueError("the step is cut: it was too long for the recorder")
+    return Step(message["tick"], message["process"], message["instruction"], message["step_number"],
+                message["name"] if message["is_move"] else None, next(iter(message["until"]), None),
+                None if message["is_move"] else message["name"], message["held"],
+                {robot["name"]: _robot(robot) for robot in message["robots"]},
+                {sensor["name"]: _sensor(sensor) for sensor in message["sensors"]},
+                {condition["name"]: condition["holds"] for condition in message["conditions"]},
+                _word(message, "ending", ENDINGS), next(iter(message["skew"]), None))

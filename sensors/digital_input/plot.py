@@ -1,6 +1,6 @@
-"""Reads the trace of this folder's demo and plots both sensors' rises and the force on the plate with gnuplot.
+"""Reads the recording of this folder's demo and plots both sensors' rises and the force on the plate with gnuplot.
 
-Usage: plot.py TRACE OUT    writes OUT.dat and OUT.png
+Usage: plot.py RECORDING OUT    writes OUT.dat and OUT.png
 """
 
 import pathlib
@@ -14,8 +14,8 @@ SERVO_PERIOD = 0.002  # s, the deployment's
 
 
 def main():
-    trace, out = sys.argv[1:3]
-    readings = [step.sensors for step in mrroc_trace.steps(trace) if step.sensors]
+    recording, out = sys.argv[1:3]
+    readings = [step.sensors for step in mrroc_trace.steps(recording) if step.sensors]
     steps = [[(sensors[name].tick, *sensors[name].values) for name in ("touched", "settled")] for sensors in readings]  # (tick, on, rises, level)
     with open(out + ".dat", "w", encoding="ascii") as data:
         for touched, settled in steps:

@@ -1,6 +1,6 @@
-"""Reads the trace of this folder's demo and draws force and torque with and without the tool's weight, with gnuplot.
+"""Reads the recording of this folder's demo and draws force and torque with and without the tool's weight, with gnuplot.
 
-Usage: plot.py TRACE OUT    writes OUT.dat and OUT.png
+Usage: plot.py RECORDING OUT    writes OUT.dat and OUT.png
 """
 
 import pathlib
@@ -18,9 +18,9 @@ def norms(values):
 
 
 def main():
-    trace, out = sys.argv[1:3]
+    recording, out = sys.argv[1:3]
     steps, held = [], []
-    for step in mrroc_trace.steps(trace):
+    for step in mrroc_trace.steps(recording):
         if len(step.sensors) != 2:
             continue
         plain, wrist = step.sensors["plain"], step.sensors["wrist"]

@@ -1,6 +1,6 @@
-"""Reads the trace of this folder's demo and draws distance and presence over time, with gnuplot.
+"""Reads the recording of this folder's demo and draws distance and presence over time, with gnuplot.
 
-Usage: plot.py TRACE OUT    writes OUT.dat and OUT.png
+Usage: plot.py RECORDING OUT    writes OUT.dat and OUT.png
 """
 
 import pathlib
@@ -14,9 +14,9 @@ SERVO_PERIOD = 0.002  # s, the deployment's
 
 
 def main():
-    trace, out = sys.argv[1:3]
+    recording, out = sys.argv[1:3]
     readings = {}
-    for step in mrroc_trace.steps(trace):
+    for step in mrroc_trace.steps(recording):
         if step.sensors:
             readings[step.sensors["eye"].tick] = [step.sensors[name].values for name in ("eye", "chattering")]
     changes = [0, 0]

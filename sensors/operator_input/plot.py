@@ -1,6 +1,6 @@
-"""Reads the trace of this folder's demo and plots the time of each question and its answer with gnuplot.
+"""Reads the recording of this folder's demo and plots the time of each question and its answer with gnuplot.
 
-Usage: plot.py TRACE OUT    writes OUT.dat and OUT.png
+Usage: plot.py RECORDING OUT    writes OUT.dat and OUT.png
 """
 
 import pathlib
@@ -14,9 +14,9 @@ SERVO_PERIOD = 0.002  # s, the deployment's
 
 
 def main():
-    trace, out = sys.argv[1:3]
+    recording, out = sys.argv[1:3]
     questions = {}  # instruction: [sensor, first tick, last tick, answer]
-    for step in mrroc_trace.steps(trace):
+    for step in mrroc_trace.steps(recording):
         for name, sensor in step.sensors.items():
             question = questions.setdefault(step.instruction, [name, sensor.tick, sensor.tick, None])
             question[2] = sensor.tick

@@ -1,6 +1,6 @@
-"""Reads the trace of this folder's demo and draws the readings of the four sensors over time, with gnuplot.
+"""Reads the recording of this folder's demo and draws the readings of the four sensors over time, with gnuplot.
 
-Usage: plot.py TRACE OUT    writes OUT.dat and OUT.png
+Usage: plot.py RECORDING OUT    writes OUT.dat and OUT.png
 """
 
 import pathlib
@@ -15,9 +15,9 @@ SENSORS = ("cone", "ray", "rough", "smooth")
 
 
 def main():
-    trace, out = sys.argv[1:3]
+    recording, out = sys.argv[1:3]
     seen = {sensor: {} for sensor in SENSORS}
-    for step in mrroc_trace.steps(trace):
+    for step in mrroc_trace.steps(recording):
         for name, sensor in step.sensors.items():
             distance, detected = sensor.values[:2]
             seen[name][sensor.tick] = distance if detected else None

@@ -1,6 +1,6 @@
-"""Reads the trace of the task draw, prints the distances of the strokes from their paths, and plots them with gnuplot.
+"""Reads the recording of the task draw, prints the distances of the strokes from their paths, and plots them with gnuplot.
 
-Usage: plot.py TRACE OUT    writes OUT_<stroke>.dat and OUT.png
+Usage: plot.py RECORDING OUT    writes OUT_<stroke>.dat and OUT.png
 """
 
 import math
@@ -56,8 +56,8 @@ def speeds(places, interval):
 
 
 def main():
-    trace, out = sys.argv[1:3]
-    strokes = read_strokes(trace)
+    recording, out = sys.argv[1:3]
+    strokes = read_strokes(recording)
     files = []
     for number, (name, ticks, measured, commanded) in enumerate(strokes):
         interval = (ticks[-1] - ticks[0]) / (len(ticks) - 1) * SERVO_PERIOD

@@ -1,9 +1,9 @@
-"""Reads the trace of the task engraving, prints the carved depth, and draws the engraved board with gnuplot.
+"""Reads the recording of the task engraving, prints the carved depth, and draws the engraved board with gnuplot.
 
 The board's true surface is the formula of board.py, which the task does not use. The picture is the surface after a ball-nose cutter of
 3 mm along the measured path of its tip.
 
-Usage: plot.py TRACE OUT    writes OUT.rgb, OUT.dat, OUT.txt (the last tick in which it carves) and OUT.png
+Usage: plot.py RECORDING OUT    writes OUT.rgb, OUT.dat, OUT.txt (the last tick in which it carves) and OUT.png
 """
 
 import math
@@ -89,8 +89,8 @@ def paint(gone):
 
 
 def main():
-    trace, out = sys.argv[1:3]
-    way, touches, last = read(trace)
+    recording, out = sys.argv[1:3]
+    way, touches, last = read(recording)
     carved = [step for step in way if step[4]]
     error = math.sqrt(sum((step[3] - DESIRED) ** 2 for step in carved) / len(carved))
     worst = max(abs(step[3] - DESIRED) for step in carved)

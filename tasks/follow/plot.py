@@ -1,6 +1,6 @@
-"""Reads the trace of the task follow, prints force, error and speed along the workpiece, and plots them with gnuplot.
+"""Reads the recording of the task follow, prints force, error and speed along the workpiece, and plots them with gnuplot.
 
-Usage: plot.py TRACE OUT    writes OUT.dat, OUT.txt (the tick in the middle of the path) and OUT.png
+Usage: plot.py RECORDING OUT    writes OUT.dat, OUT.txt (the tick in the middle of the path) and OUT.png
 """
 
 import math
@@ -29,8 +29,8 @@ def read_way(path):
 
 
 def main():
-    trace, out = sys.argv[1:3]
-    way = read_way(trace)
+    recording, out = sys.argv[1:3]
+    way = read_way(recording)
     with open(out + ".dat", "w", encoding="ascii") as data:
         for _, y, z, force in way:
             data.write(f"{1000 * y} {force} {1000 * (z - way[0][2])}\n")

@@ -1,6 +1,6 @@
-"""Reads the trace and the snapshots of the task hand_over, prints the figures of each hand-over, and plots them with gnuplot.
+"""Reads the recording and the snapshots of the task hand_over, prints the figures of each hand-over, and plots them with gnuplot.
 
-Usage: plot.py TRACE SNAPSHOTS OUT
+Usage: plot.py RECORDING SNAPSHOTS OUT
 writes OUT_giver.dat, OUT_receiver.dat, OUT_height.dat, OUT.txt (the tick at which the second bar is pulled) and OUT.png
 """
 
@@ -42,8 +42,8 @@ def read_bars(folder):
 
 
 def main():
-    trace, snapshots, out = sys.argv[1], pathlib.Path(sys.argv[2]), sys.argv[3]
-    forces, pulls = read_forces(trace)
+    recording, snapshots, out = sys.argv[1], pathlib.Path(sys.argv[2]), sys.argv[3]
+    forces, pulls = read_forces(recording)
     bars = read_bars(snapshots)
     for number, (tick, pull) in enumerate(pulls):
         height = min(bars, key=lambda state: abs(state[0] - tick))[1][number][2]

@@ -1,6 +1,6 @@
-"""Reads the trace of the task insert, prints the figures of the insertions, and plots them with gnuplot.
+"""Reads the recording of the task insert, prints the figures of the insertions, and plots them with gnuplot.
 
-Usage: plot.py TRACE OUT    writes OUT_search.dat, OUT_depth.dat, OUT.txt (a tick with the peg in the hole) and OUT.png
+Usage: plot.py RECORDING OUT    writes OUT_search.dat, OUT_depth.dat, OUT.txt (a tick with the peg in the hole) and OUT.png
 """
 
 import math
@@ -40,8 +40,8 @@ def read_trials(path):
 
 
 def main():
-    trace, out = sys.argv[1:3]
-    trials = read_trials(trace)
+    recording, out = sys.argv[1:3]
+    trials = read_trials(recording)
     inserted = 0
     with open(out + "_search.dat", "w", encoding="ascii") as search, open(out + "_depth.dat", "w", encoding="ascii") as depth:
         for number, trial in enumerate(trials, 1):

@@ -1,6 +1,6 @@
-"""Reads the trace of the task inspect, prints the final distance and angle of the gauge, and plots the approach with gnuplot.
+"""Reads the recording of the task inspect, prints the final distance and angle of the gauge, and plots the approach with gnuplot.
 
-Usage: plot.py TRACE OUT    writes OUT_*.dat, OUT.txt (a tick of the end) and OUT.png
+Usage: plot.py RECORDING OUT    writes OUT_*.dat, OUT.txt (a tick of the end) and OUT.png
 """
 
 import math
@@ -48,8 +48,8 @@ def read_steps(path):
 
 
 def main():
-    trace, out = sys.argv[1:3]
-    steps = read_steps(trace)
+    recording, out = sys.argv[1:3]
+    steps = read_steps(recording)
     first = steps[PHASES[0]][0][0]
     for name in PHASES:
         tick, beside, before, off = steps[name][-1]

@@ -1,6 +1,6 @@
-"""Reads the trace of the task polish, prints the force and angle errors, and plots the paths and the force with gnuplot.
+"""Reads the recording of the task polish, prints the force and angle errors, and plots the paths and the force with gnuplot.
 
-Usage: plot.py TRACE OUT    writes OUT_*.dat, OUT.txt (a tick of the lines) and OUT.png
+Usage: plot.py RECORDING OUT    writes OUT_*.dat, OUT.txt (a tick of the lines) and OUT.png
 """
 
 import math
@@ -51,8 +51,8 @@ def beside(step):
 
 
 def main():
-    trace, out = sys.argv[1:3]
-    moves = read_moves(trace)
+    recording, out = sys.argv[1:3]
+    moves = read_moves(recording)
     steps = next(steps for name, steps in moves if name == "SurfaceFollowing")
     circle = next(steps for name, steps in moves if name == "Impedance")
     settled = [step for step in steps if (step[0] - steps[0][0]) * SERVO_PERIOD > SETTLED]

@@ -1,6 +1,6 @@
-"""Reads the trace of the task press, prints contact force and steps, and plots force and height over time with gnuplot.
+"""Reads the recording of the task press, prints contact force and steps, and plots force and height over time with gnuplot.
 
-Usage: plot.py TRACE OUT    writes OUT.dat, OUT.txt (figures) and OUT.png
+Usage: plot.py RECORDING OUT    writes OUT.dat, OUT.txt (figures) and OUT.png
 """
 
 import pathlib
@@ -30,8 +30,8 @@ def read_steps(path):
 
 
 def main():
-    trace, out = sys.argv[1:3]
-    steps = read_steps(trace)
+    recording, out = sys.argv[1:3]
+    steps = read_steps(recording)
     with open(out + ".dat", "w", encoding="ascii") as data:
         for tick, _, _, height, force in steps:
             data.write(f"{tick * SERVO_PERIOD} {height} {'nan' if force is None else force}\n")

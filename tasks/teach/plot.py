@@ -1,6 +1,6 @@
-"""Reads the trace of the task teach, prints the distance of the replay from the taught path, and plots both with gnuplot.
+"""Reads the recording of the task teach, prints the distance of the replay from the taught path, and plots both with gnuplot.
 
-Usage: plot.py TRACE OUT    writes OUT_taught.dat, OUT_replay.dat, OUT_distance.dat, OUT.txt (a tick of the leading) and OUT.png
+Usage: plot.py RECORDING OUT    writes OUT_taught.dat, OUT_replay.dat, OUT_distance.dat, OUT.txt (a tick of the leading) and OUT.png
 """
 
 import math
@@ -42,8 +42,8 @@ def distance(point, way):
 
 
 def main():
-    trace, out = sys.argv[1:3]
-    moves = read_moves(trace)
+    recording, out = sys.argv[1:3]
+    moves = read_moves(recording)
     taught = next(steps for name, steps in moves if name == "LeadThrough + TeachIn")
     replay = [steps for name, steps in moves if name == "Replay"][-1]
     first = next(i for i, step in enumerate(replay) if math.dist(step[1:], taught[0][1:]) < BESIDE)

@@ -1,6 +1,6 @@
-"""Reads the trace of the task track_and_pick, prints the figures of each pick, and plots them with gnuplot.
+"""Reads the recording of the task track_and_pick, prints the figures of each pick, and plots them with gnuplot.
 
-Usage: plot.py TRACE OUT    writes OUT_track.dat, OUT.txt (a tick at which a part is gripped) and OUT.png
+Usage: plot.py RECORDING OUT    writes OUT_track.dat, OUT.txt (a tick at which a part is gripped) and OUT.png
 """
 
 import math
@@ -34,8 +34,8 @@ def read_parts(path):
 
 
 def main():
-    trace, out = sys.argv[1:3]
-    parts = read_parts(trace)
+    recording, out = sys.argv[1:3]
+    parts = read_parts(recording)
     worst = 0.0
     with open(out + "_track.dat", "w", encoding="ascii") as track:
         for number, part in enumerate(parts, 1):
