@@ -1,7 +1,8 @@
-"""What watchers cost a run: `press` in lockstep without and with watchers of all states, in pairs, and its traces.
+"""What watchers cost a run: `press` in lockstep without and with watchers of all states, in pairs, and the hashes of their
+recordings.
 
 telemetry.py [BUILD_DIR] [--pairs N] [--watchers N]: prints the ratio of the times (median and range over the pairs), and whether all
-traces are equal. The watchers' own time is in it: they share the processors.
+hashes are equal. The watchers' own time is in it: they share the processors.
 """
 
 import argparse
@@ -15,17 +16,17 @@ import tempfile
 import time
 
 DEPLOYMENT = pathlib.Path(__file__).resolve().parent.parent / "tasks/press/press.toml"
-START = 40000  # ticks: the watchers have joined, and the traces have the same ticks
+START = 40000  # ticks: the watchers have joined, and the runs have the same ticks
 
 
 def run(mrroc, folder, watchers):
-    """Seconds of wall time from the first answer of the run to its end, and the hash of its trace."""
+    """Seconds of wall time from the first answer of the run to its end, and the hash of its steps."""
     environment = {**os.environ, "MRROC_RUNTIME_DIR": f"{folder}/run"}
-    trace, events = f"{folder}/trace", pathlib.Path(folder) / "start.toml"
+    recording, events = f"{folder}/run.mcap", pathlib.Path(folder) / "start.toml"
     events.write_text(f'[[events]]\ntick = {START}\ncommand = "start"\n', encoding="utf-8")
     with contextlib.ExitStack() as stack:
         command = stack.enter_context(subprocess.Popen(
-            [mrroc, "run", DEPLOYMENT, "--clock", "lockstep", "--hold", "--events", events, "--quiet", "--black-box=", "--trace", trace],
+            [mrroc, "run", DEPLOYMENT, "--clock", "lockstep", "--hold", "--events", events, "--quiet", "--black-box=", "--record", recording],
             env=environment, stdout=subprocess.DEVNULL))
         while subprocess.run([mrroc, "status"], env=environment, capture_output=True, check=False).returncode != 0:
             if command.poll() is not None:
@@ -38,7 +39,7 @@ def run(mrroc, folder, watchers):
         seconds = time.monotonic() - start
     if code != 0:
         raise RuntimeError(f"the run ended with {code}")
-    return seconds, subprocess.run([mrroc, "trace", "hash", trace], capture_output=True, text=True, check=True).stdout.strip()
+    return seconds, subprocess.run([mrroc, "trace", "hash", recording], capture_output=True, text=True, check=True).stdout.strip()
 
 
 def main():
@@ -53,12 +54,12 @@ def main():
         times = {}
         for watchers in ((0, given.watchers) if pair % 2 == 0 else (given.watchers, 0)):
             with tempfile.TemporaryDirectory() as folder:
-                times[watchers], trace = run(mrroc, folder, watchers)
-                hashes.add(trace)
+                times[watchers], found = run(mrroc, folder, watchers)
+                hashes.add(found)
         ratios.append(times[given.watchers] / times[0])
         print(f"pair {pair + 1}: {times[0]:.2f} s alone, {times[given.watchers]:.2f} s with {given.watchers} watchers, ratio {ratios[-1]:.2f}", flush=True)
     print(f"ratio {statistics.median(ratios):.2f} ({min(ratios):.2f} to {max(ratios):.2f})")
-    print("all traces are equal" if len(hashes) == 1 else f"traces differ: {sorted(hashes)}")
+    print("all hashes are equal" if len(hashes) == 1 else f"hashes differ: {sorted(hashes)}")
     return 0 if len(hashes) == 1 else 1
 
 

@@ -9,6 +9,7 @@ expects. `--least TASK=N`: exit code 1 unless at least N seeds succeed.
 """
 
 import argparse
+import os
 import pathlib
 import re
 import subprocess
@@ -16,30 +17,26 @@ import sys
 import tempfile
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(SOURCE / "scripts"))
+import mrroc_trace
 
 
-def numbers_after(line, key):
-    found = re.search(re.escape(key) + r"([^\s]*)", line)
-    return [float(number) for number in found.group(1).split(",")] if found and found.group(1) else []
-
-
-def insert(output, trace):
+def insert(recording):
     """Ten pegs go in by 24 mm."""
-    trials, searching, going = [], "", ""
+    trials, searching, going = [], None, None
     top = 0.0
-    for line in trace.open(encoding="utf-8"):
-        search, force = 'move="SpiralSearch"' in line, 'move="ForceControl"' in line
-        if not search and not force:
+    for step in mrroc_trace.steps(recording):
+        search = step.move == "SpiralSearch"
+        if not search and step.move != "ForceControl":
             continue
-        instruction = re.search(r"instruction=\S+", line).group()
-        pose = numbers_after(line, " pose=")
-        if search and instruction != searching:
+        height = step.robots["arm"].pose[2]
+        if search and step.instruction != searching:
             trials.append(0.0)
-            searching, going, top = instruction, "", pose[2]
-        if force and not going:
-            going = instruction
-        if trials and (search or instruction == going):
-            trials[-1] = max(trials[-1], top - pose[2])
+            searching, going, top = step.instruction, None, height
+        if not search and going is None:
+            going = step.instruction
+        if trials and (search or step.instruction == going):
+            trials[-1] = max(trials[-1], top - height)
     wrong = [depth for depth in trials if depth < 0.024]
     if len(trials) == 10 and not wrong:
         return ""
@@ -50,9 +47,9 @@ CHECKS = {"insert": insert}
 
 
 def run(build, task, errors, seed, folder):
-    trace = folder / f"{task}.{seed}.trace"
+    recording = folder / f"{task}.{seed}.mcap"
     command = [str(build / "bin/mrroc"), "run", str(SOURCE / f"tasks/{task}/{task}.toml"), "--clock", "lockstep"]
-    command += ["--trace", str(trace), "--black-box", ""]
+    command += ["--record", str(recording), "--black-box", ""]
     if errors:
         command += ["--errors", errors, "--seed", str(seed)]
     try:
@@ -64,9 +61,9 @@ def run(build, task, errors, seed, folder):
         if done.returncode != 0:
             lines = [line for line in output.splitlines() if re.search("error|failed|limit", line, re.IGNORECASE)]
             return f"exit code {done.returncode}: {(lines or output.splitlines() or ['no output'])[-1].strip()[:150]}"
-        return CHECKS[task](output, trace) if task in CHECKS else ""
+        return CHECKS[task](recording) if task in CHECKS else ""
     finally:
-        trace.unlink(missing_ok=True)
+        recording.unlink(missing_ok=True)
 
 
 def main():
@@ -77,6 +74,7 @@ def main():
     parser.add_argument("--seeds", type=int, nargs="+", default=[1, 2, 3, 4, 5])
     parser.add_argument("--least", action="append", default=[], metavar="TASK=N")
     arguments = parser.parse_args()
+    os.environ["MRROC"] = str(arguments.build.resolve() / "bin/mrroc")  # of mrroc_trace
     least = {task: int(count) for task, count in (each.split("=") for each in arguments.least)}
     tasks = arguments.tasks or sorted(
         path.stem for path in SOURCE.glob("tasks/*/*.toml")
