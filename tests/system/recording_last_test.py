@@ -22,7 +22,7 @@ def span(recording):
 
 def test_success(folder):
     """Nothing is written, and a file of an earlier run stays as it is."""
-    _, recording, _ = run(PRESS, folder, "good", *LAST)
+    recording = run(PRESS, folder, "good", *LAST)
     assert not recording.exists()
     recording.write_bytes(b"earlier")
     run(PRESS, folder, "good", *LAST)
@@ -31,8 +31,8 @@ def test_success(folder):
 
 def test_failure(folder):
     """The end of the run, the same as in a recording of all of it; two runs have the same file."""
-    whole = messages(run(PRESS, folder, "whole", *KILL, expected=4)[1])
-    recordings = [run(PRESS, folder, f"failed{i}", *LAST, *KILL, expected=4)[1] for i in range(2)]
+    whole = messages(run(PRESS, folder, "whole", *KILL, expected=4))
+    recordings = [run(PRESS, folder, f"failed{i}", *LAST, *KILL, expected=4) for i in range(2)]
     assert sha(recordings[0]) == sha(recordings[1])
     first, last, _ = span(recordings[0])
     assert last > 4 and last - 2.001 <= first <= last - 1.9, (first, last)
@@ -46,7 +46,7 @@ def test_failure(folder):
 
 def test_servo_ticks(folder):
     """With the ticks of the servo, too: the last two seconds of them."""
-    _, recording, _ = run(PRESS, folder, "servo", *LAST, "--record-rate", "servo", *KILL, expected=4)
+    recording = run(PRESS, folder, "servo", *LAST, "--record-rate", "servo", *KILL, expected=4)
     ticks = [message.tick for _, message in messages(recording)["/arm/servo"]]
     assert 990 <= len(ticks) <= 1000 and ticks == list(range(ticks[0], ticks[-1] + 1)), (len(ticks), ticks[:1])
 

@@ -1,5 +1,5 @@
-"""`mrroc run --record`: equal runs have equal recordings, which contain what their traces do; independent readers of MCAP
-and CDR (mcap, rosbags) read them; a full disk and a killed run leave the rest whole.
+"""`mrroc run --record`: equal runs have equal recordings; independent readers of MCAP and CDR (mcap, rosbags) read in them
+what `mrroc trace cat` prints; a full disk and a killed run leave the rest whole.
 
 Usage: recording_test.py BUILD_FOLDER SOURCE_FOLDER [NAME]: all tests, or this one
 """
@@ -17,43 +17,17 @@ from mcap.reader import make_reader
 from mcap.stream_reader import StreamReader
 from mcap.records import Message
 
-from recordings import JOINTS, MRROC, PERIOD, PICK, PRESS, SOURCE, messages, mrroc, nanoseconds, run, run_tests, sha
-
-import mrroc_trace  # of a folder that recordings adds
+from recordings import JOINTS, MRROC, PERIOD, PICK, PRESS, SOURCE, check_same_as_json, messages, mrroc, nanoseconds, run, run_tests, sha
 
 
-def check_same_as_trace(trace, recording):
-    """By our own reader, to the last byte."""
-    text, _ = mrroc("trace", "cat", "--trace", recording)
-    assert text == trace.read_text(encoding="utf-8"), f"{recording}: other lines than {trace}"
-    assert mrroc("trace", "hash", recording) == mrroc("trace", "hash", trace)
-    assert "rules hold" in mrroc("trace", "check", recording)[0]
-
-
-def check_steps(trace, found):
-    """By an independent reader: the values of every line."""
-    steps = {}
-    for step in mrroc_trace.steps(trace):
-        steps.setdefault(step.process, []).append(step)
-    assert steps, "no step"
-    robots = 0
-    for process, lines in steps.items():
-        recorded = found[f"/{process}/steps"]
-        assert len(recorded) == len(lines), f"{process}: {len(recorded)} steps, expected {len(lines)}"
-        for (_, message), line in zip(recorded, lines):
-            assert (message.tick, message.instruction, message.step_number) == (line.tick, line.instruction, line.step)
-            assert nanoseconds(message.stamp) == line.tick * PERIOD
-            assert message.is_move == (line.move is not None) and message.name == (line.move or line.wait)
-            for robot in message.robots:
-                own = line.robots[robot.name]
-                assert list(robot.joints) == own.joints and list(robot.desired_joints) == own.desired, f"{process}, tick {line.tick}"
-                pose = [robot.pose.position.x, robot.pose.position.y, robot.pose.position.z, robot.pose.orientation.w,
-                        robot.pose.orientation.x, robot.pose.orientation.y, robot.pose.orientation.z]
-                assert pose == own.pose and robot.tick == own.tick
-                robots += 1
-            for sensor in message.sensors:
-                assert list(sensor.values) == line.sensors[sensor.name].values
-    assert robots > 100, f"{robots} states"
+def check_steps(recording, found):
+    """By an independent reader: what our own reader prints, and the times of the steps."""
+    check_same_as_json(recording, found)
+    steps = [message for topic, entries in found.items() if topic.endswith("/steps") for _, message in entries]
+    assert all(nanoseconds(step.stamp) == step.tick * PERIOD for step in steps)
+    states = sum(len(step.robots) for step in steps)
+    assert states > 100, f"{states} states"
+    assert f": {len(steps)} steps of " in mrroc("trace", "check", recording)[0]
 
 
 def check_standard_messages(found, robots, wrenches):
@@ -101,32 +75,36 @@ def check_container(recording, deployment):
     assert times == sorted(times) and len(times) == count
 
 
+def motion_of_task(file, found):
+    """The lines of --motion up to the last step of press; how many follow depends on how long the processes take to leave."""
+    last = found["/arm/steps"][-1][1].tick
+    lines = [line for line in file.read_text(encoding="ascii").splitlines() if line[0] != "#" and int(line.split()[0]) <= last]
+    assert len(lines) == last > 4000, f"{file}: {len(lines)} ticks, expected {last}"
+    return lines
+
+
 def test_equal_runs(folder):
-    """press, one process with a sensor: equal bytes, and the trace is that of a run that is not recorded."""
-    plain = folder / "plain.trace"
-    mrroc("run", PRESS, "--quiet", "--clock", "lockstep", "--trace", plain)
-    runs = [run(PRESS, folder, f"press{i}") for i in range(2)]
-    assert sha(runs[0][1]) == sha(runs[1][1]), "two runs, two recordings"
-    trace, recording, _ = runs[0]
-    assert trace.read_bytes() == plain.read_bytes(), "the recording changes the run"
-    check_same_as_trace(trace, recording)
+    """press, one process with a sensor: equal bytes, and the robot moves as in a run that is not recorded."""
+    plain, moved = folder / "plain.motion", folder / "recorded.motion"
+    mrroc("run", PRESS, "--quiet", "--clock", "lockstep", "--black-box", "", "--motion", plain)
+    recording, again = (run(PRESS, folder, f"press{i}", "--motion", moved) for i in range(2))
+    assert sha(recording) == sha(again), "two runs, two recordings"
     found = messages(recording)
-    check_steps(trace, found)
+    assert motion_of_task(moved, found) == motion_of_task(plain, found), "the recording changes the run"
+    check_steps(recording, found)
     check_standard_messages(found, ["arm"], ["wrist"])
     check_container(recording, PRESS)
     kinds = [(event.kind, event.tick, event.exit_code) for _, event in found["/events"]]
     assert kinds[0] == ("operator", 0, 0) and kinds[-1][0] == "end" and kinds[-1][2] == 0, kinds
-    print(f"press: {recording.stat().st_size} bytes, trace {trace.stat().st_size} bytes, SHA-256 {sha(recording)}")
+    print(f"press: {recording.stat().st_size} bytes, SHA-256 {sha(recording)}")
 
 
 def test_several_processes(folder):
     """pick, an MP and two ECPs: the order of their messages is that of their ticks and names, in every run."""
-    runs = [run(PICK, folder, f"pick{i}") for i in range(2)]
-    assert sha(runs[0][1]) == sha(runs[1][1]), "two runs, two recordings"
-    trace, recording, _ = runs[0]
-    check_same_as_trace(trace, recording)
+    recording, again = (run(PICK, folder, f"pick{i}") for i in range(2))
+    assert sha(recording) == sha(again), "two runs, two recordings"
     found = messages(recording)
-    check_steps(trace, found)
+    check_steps(recording, found)
     check_standard_messages(found, ["arm", "gripper"], [])
     check_container(recording, PICK)
     assert {end.process for _, end in found["/process_ends"]} == {"mp", "arm", "gripper"}
@@ -137,23 +115,23 @@ def test_events(folder):
     events = folder / "events.toml"
     events.write_text('[[events]]\ntick = 300\ncommand = "pause"\n\n[[events]]\ntick = 500\ncommand = "resume"\n\n'
                       '[[events]]\ntick = 700\ncommand = "speed"\nvalue = 50\n', encoding="utf-8")
-    runs = [run(PRESS, folder, f"events{i}", "--events", events) for i in range(2)]
-    assert sha(runs[0][1]) == sha(runs[1][1])
-    found = [(event.tick, event.text) for _, event in messages(runs[0][1])["/events"] if event.kind == "operator"]
+    first, second = (run(PRESS, folder, f"events{i}", "--events", events) for i in range(2))
+    assert sha(first) == sha(second)
+    found = [(event.tick, event.text) for _, event in messages(first)["/events"] if event.kind == "operator"]
     assert [tick for tick, _ in found] == [0, 300, 500, 700], found
     # what is recorded can be given to --events again
     again = folder / "again.toml"
     again.write_text("".join(text for _, text in found), encoding="utf-8")
-    assert sha(run(PRESS, folder, "again", "--events", again)[1]) == sha(runs[0][1])
+    assert sha(run(PRESS, folder, "again", "--events", again)) == sha(first)
 
 
 def test_difference(folder):
-    """Two runs that differ from tick 700 on: the first difference is named."""
-    trace, recording, _ = run(PRESS, folder, "one")
-    assert "equal: 474 steps" in mrroc("trace", "diff", trace, recording)[0]
+    """Two equal runs, and two that differ from tick 700 on: the first difference is named."""
+    recording, equal = (run(PRESS, folder, name) for name in ("one", "equal"))
+    assert "equal: 474 steps" in mrroc("trace", "diff", recording, equal)[0]
     events = folder / "events.toml"
     events.write_text('[[events]]\ntick = 700\ncommand = "speed"\nvalue = 50\n', encoding="utf-8")
-    slower = run(PRESS, folder, "other", "--events", events)[1]
+    slower = run(PRESS, folder, "other", "--events", events)
     found = mrroc("trace", "diff", recording, slower, expected=1)[0]
     tick = int(re.match(r"process arm, instruction \d+ \(.+\), step \d+, tick (\d+): .+ of robot arm", found).group(1))
     assert 690 <= tick <= 760, found
@@ -161,12 +139,10 @@ def test_difference(folder):
 
 def test_killed_process(folder):
     """A task that is killed: its steps up to then, the fault and the outcome are recorded."""
-    runs = [run(PRESS, folder, f"killed{i}", "--inject", "kill ecp:arm at step 120", expected=4) for i in range(2)]
-    assert sha(runs[0][1]) == sha(runs[1][1])
-    trace, recording, _ = runs[0]
+    recording, again = (run(PRESS, folder, f"killed{i}", "--inject", "kill ecp:arm at step 120", expected=4) for i in range(2))
+    assert sha(recording) == sha(again)
     found = messages(recording)
-    # the thread that writes the task's trace is killed, too, with what it has not written
-    assert len(found["/arm/steps"]) == 120 >= sum(1 for _ in mrroc_trace.steps(trace))
+    assert len(found["/arm/steps"]) == 120
     kinds = {event.kind: event for _, event in found["/events"]}
     assert kinds["fault"].text == "kill ecp:arm at step 120"
     assert kinds["end"].exit_code == 4 and "arm" in kinds["end"].text, kinds["end"]
@@ -175,12 +151,12 @@ def test_killed_process(folder):
 
 
 def test_full_disk(folder):
-    """The run continues to its end, its trace is complete, and the reason is reported."""
-    trace = folder / "full.trace"
-    _, errors = mrroc("run", PRESS, "--quiet", "--clock", "lockstep", "--trace", trace, "--record", "/dev/full", expected=4)
+    """The run continues to its end as with a disk that has room, and the reason is reported."""
+    full, plain = folder / "full.motion", folder / "plain.motion"
+    _, errors = mrroc("run", PRESS, "--quiet", "--clock", "lockstep", "--black-box", "", "--motion", full, "--record", "/dev/full", expected=4)
     assert "cannot write the recording /dev/full: No space left on device" in errors, errors
-    assert "rules hold" in mrroc("trace", "check", trace)[0]
-    assert " end=" in [line for line in trace.read_text(encoding="utf-8").splitlines() if line.startswith("tick=")][-1]
+    found = messages(run(PRESS, folder, "plain", "--motion", plain))
+    assert motion_of_task(full, found) == motion_of_task(plain, found)
 
 
 def test_killed_run(folder):
@@ -219,29 +195,30 @@ def newest_step(recording):
 
 
 def test_real_clock(folder):
-    """Under the real clock too: nothing is dropped, and the trace is in the recording."""
+    """Under the real clock too: nothing is dropped, and every reader finds the same."""
     deployment = folder / "short.toml"
     deployment.write_text('[deployment]\nname = "short"\nclock = "real"\n[robots.arm]\ntype = "irb6"\nprogram = "irb6_demo"\n'
                           'hardware = "loopback"\n', encoding="utf-8")
-    trace, recording = folder / "real.trace", folder / "real.mcap"
-    mrroc("run", deployment, "--quiet", "--trace", trace, "--record", recording)
-    assert mrroc("trace", "cat", "--trace", recording)[0] == trace.read_text(encoding="utf-8")
-    ends = [end for _, end in messages(recording)["/process_ends"] if end.process == "arm"]
-    assert len(ends) == 1 and ends[0].steps > 10 and ends[0].dropped == 0
+    recording = folder / "real.mcap"
+    mrroc("run", deployment, "--quiet", "--record", recording)
+    found = messages(recording)
+    check_steps(recording, found)
+    ends = [end for _, end in found["/process_ends"] if end.process == "arm"]
+    assert len(ends) == 1 and ends[0].steps == len(found["/arm/steps"]) and ends[0].dropped == 0
 
 
 def test_refusals(folder):
     """Before anything starts; and files that are not recordings."""
-    trace, recording = folder / "same.trace", folder / "fifo"
-    os.mkfifo(recording)
-    assert "is a pipe, expected a file" in mrroc("run", PRESS, "--record", recording, expected=2)[1]
-    assert "is also the file of --record" in mrroc("run", PRESS, "--trace", trace, "--record", trace, expected=2)[1]
+    text, pipe = folder / "text", folder / "fifo"
+    os.mkfifo(pipe)
+    assert "is a pipe, expected a file" in mrroc("run", PRESS, "--record", pipe, expected=2)[1]
+    assert "is also the file of --motion" in mrroc("run", PRESS, "--motion", text, "--record", text, expected=2)[1]
     assert "is also the file of deployment" in mrroc("run", PRESS, "--record", PRESS, expected=2)[1]
     assert "cannot write the recording" in mrroc("run", PRESS, "--record", folder / "none/r.mcap", expected=2)[1]
-    trace.write_text("# mrroc trace 2 clock=real\n", encoding="utf-8")
-    assert "is not an MCAP file, expected a recording" in mrroc("trace", "cat", trace, expected=2)[1]
+    text.write_text("no recording\n", encoding="utf-8")
+    assert "is not an MCAP file, expected a recording" in mrroc("trace", "cat", text, expected=2)[1]
     assert "cannot read the recording" in mrroc("trace", "cat", folder / "none", expected=2)[1]
-    _, whole, _ = run(PRESS, folder, "damaged")
+    whole = run(PRESS, folder, "damaged")
     content = bytearray(whole.read_bytes())
     content[len(content) // 2] ^= 0xFF
     whole.write_bytes(content)
@@ -252,7 +229,7 @@ def test_page(folder):
     """The program of docs/reference/recording.md prints the rise of the force."""
     page = (SOURCE / "docs/reference/recording.md").read_text(encoding="utf-8")
     program = re.search(r"^```python\n(.*?)^```", page, re.MULTILINE | re.DOTALL).group(1)
-    _, recording, _ = run(PRESS, folder, "page")
+    recording = run(PRESS, folder, "page")
     assert "build/press.mcap" in program
     program = program.replace("build/press.mcap", str(recording))
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=60, check=False)
