@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { LiveRun, STOPPED, eventually, hash_of_repetition, trace_hash } from './support/live_run.mjs';
+import { LiveRun, STOPPED, eventually, hash_of, hash_of_repetition } from './support/live_run.mjs';
 import { INSPECT, PRESS, axe_source } from './support/packages.mjs';
 import {
   assert_no_problems,
@@ -62,10 +62,10 @@ async function pass_shown_ticks(run, page, ticks) {
 
 test('APictureFollowsTheCameraOfTheTask', async () => {
   const run = new LiveRun();
-  const [noted, trace] = [run.path('noted.toml'), run.path('live.trace')];
+  const [noted, recording] = [run.path('noted.toml'), run.path('live.mcap')];
   const browser = await launch();
   try {
-    await run.start(INSPECT, '--hold', '--clock', 'paced', '--note-events', noted, '--trace', trace);
+    await run.start(INSPECT, '--hold', '--clock', 'paced', '--note-events', noted, '--record', recording);
     const page = await open_panel(browser, run.url);
     const asked = await count_requests(page);
     await await_task_shown(page, 'held');
@@ -104,7 +104,7 @@ test('APictureFollowsTheCameraOfTheTask', async () => {
     assert_no_problems(page, LATE_PICTURE);
     await press_verb(page, 'stop');
     assert.equal(await run.exit, STOPPED);
-    assert.equal(trace_hash(trace), hash_of_repetition(run, INSPECT, noted, STOPPED));
+    assert.equal(hash_of(recording), hash_of_repetition(run, INSPECT, noted, STOPPED));
   } finally {
     await browser.close();
     await run.clear();

@@ -1,7 +1,7 @@
 // Whatever separates the operator from the robot ends a jog: at the latest 0.2 s after the last one, the arm brakes.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { hash_of_repetition, LiveRun, STOPPED, trace_hash } from './support/live_run.mjs';
+import { hash_of, hash_of_repetition, LiveRun, STOPPED } from './support/live_run.mjs';
 import { column_speeds, ticks_of } from './support/motion.mjs';
 import { PRESS } from './support/packages.mjs';
 import { assert_no_problems, await_shown, launch, launch_process, open_panel } from './support/panel_page.mjs';
@@ -16,12 +16,12 @@ const STOP = 800; // ticks for which a process is stopped
 const LAST_WORDS = 300; // ticks: what a page has sent before the end arrives within them, on a busy machine, too
 
 const run = new LiveRun();
-const [noted, trace, motion] = ['noted.toml', 'live.trace', 'motion'].map((name) => run.path(name));
+const [noted, recording, motion] = ['noted.toml', 'live.mcap', 'motion'].map((name) => run.path(name));
 const series = []; // of jogs: how each ended, and its ticks
 let direction = '-';
 
 before(() =>
-  run.start(PRESS, '--hold', '--clock', 'paced', '--note-events', noted, '--trace', trace, '--motion', motion),
+  run.start(PRESS, '--hold', '--clock', 'paced', '--note-events', noted, '--record', recording, '--motion', motion),
 );
 after(() => run.clear());
 
@@ -156,5 +156,5 @@ test('EverySeriesOfJogsEndsAtRestInTime', async () => {
     const rest = after.filter((i) => (speeds.get(last + i) ?? 0) >= AT_REST).at(-1) + 1;
     console.log(`${name}: ${mine.length} jogs, at rest ${rest} ticks after the last one`);
   }
-  assert.equal(trace_hash(trace), hash_of_repetition(run, PRESS, noted, STOPPED));
+  assert.equal(hash_of(recording), hash_of_repetition(run, PRESS, noted, STOPPED));
 });

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { connect } from 'node:net';
 import { test } from 'node:test';
-import { hash_of_repetition, LiveRun, sleep, trace_hash } from './support/live_run.mjs';
+import { hash_of, hash_of_repetition, LiveRun, sleep } from './support/live_run.mjs';
 import { PRESS } from './support/packages.mjs';
 import { RawBrowser, socket_url } from './support/raw_browser.mjs';
 
@@ -82,9 +82,9 @@ class Flood {
 
 test('BrowsersAndAMillionMessagesChangeNothing', async () => {
   const run = new LiveRun();
-  const [noted, trace] = [run.path('noted.toml'), run.path('trace')];
+  const [noted, recording] = [run.path('noted.toml'), run.path('live.mcap')];
   try {
-    await run.start(PRESS, '--hold', '--clock', 'paced', '--note-events', noted, '--trace', trace);
+    await run.start(PRESS, '--hold', '--clock', 'paced', '--note-events', noted, '--record', recording);
     await run.await_task('held');
     const missed = async () =>
       (await run.status()).processes.reduce((sum, process) => sum + process.missed_ticks + process.late_commands, 0);
@@ -116,7 +116,7 @@ test('BrowsersAndAMillionMessagesChangeNothing', async () => {
     assert.ok(largest > 0 && largest < LARGEST, `${largest} kB`);
     for (const browser of browsers)
       assert.ok(browser.frames.some((frame) => frame.event === 'hello' || frame.event === 'robot'));
-    assert.equal(trace_hash(trace), hash_of_repetition(run, PRESS, noted, 0));
+    assert.equal(hash_of(recording), hash_of_repetition(run, PRESS, noted, 0));
   } finally {
     await run.clear();
   }

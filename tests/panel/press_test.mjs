@@ -1,7 +1,7 @@
 // A task is started, paused, resumed and stopped by the page's controls, and is then the same run in lockstep.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { hash_of_repetition, LiveRun, STOPPED, trace_hash } from './support/live_run.mjs';
+import { hash_of, hash_of_repetition, LiveRun, STOPPED } from './support/live_run.mjs';
 import { PRESS } from './support/packages.mjs';
 import {
   assert_no_problems,
@@ -15,10 +15,10 @@ import {
 
 test('TaskIsStartedPausedResumedAndStoppedByThePage', async () => {
   const run = new LiveRun();
-  const [noted, trace] = [run.path('noted.toml'), run.path('live.trace')];
+  const [noted, recording] = [run.path('noted.toml'), run.path('live.mcap')];
   const browser = await launch();
   try {
-    const outputs = ['--note-events', noted, '--trace', trace, '--black-box=boxes'];
+    const outputs = ['--note-events', noted, '--record', recording, '--black-box=boxes'];
     await run.start(PRESS, '--hold', '--clock', 'paced', ...outputs);
     const page = await open_panel(browser, run.url);
     await await_task_shown(page, 'held');
@@ -53,7 +53,7 @@ test('TaskIsStartedPausedResumedAndStoppedByThePage', async () => {
     );
     assert_no_problems(page);
 
-    assert.equal(trace_hash(trace), hash_of_repetition(run, PRESS, noted, STOPPED));
+    assert.equal(hash_of(recording), hash_of_repetition(run, PRESS, noted, STOPPED));
   } finally {
     await browser.close();
     await run.clear();

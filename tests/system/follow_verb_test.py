@@ -58,8 +58,8 @@ class Follow(unittest.TestCase):
         self.assertEqual(run.wait(TIMEOUT), 0)
 
     def test_a_live_run_and_its_replay_in_lockstep_are_the_same(self):
-        notes, trace = self.folder / "notes.toml", self.folder / "live.trace"
-        run = self.run_waiting("--note-events", notes, "--trace", trace)
+        notes, recording = self.folder / "notes.toml", self.folder / "live.mcap"
+        run = self.run_waiting("--note-events", notes, "--record", recording)
         there = self.file(point(1.5, NEAR), point(3, HOME))
         self.assertEqual(mrroc("follow", "arm", there).returncode, 0)
         with subprocess.Popen([MRROC, "follow", "arm", there], stdout=subprocess.PIPE, stderr=subprocess.PIPE) as following:
@@ -72,11 +72,11 @@ class Follow(unittest.TestCase):
             self.assertIn("cancelled", error)
         self.assertEqual(mrroc("follow", "arm", self.file(point(2, HOME), name="back.toml")).returncode, 0)
         self.end(run)
-        hashes = {mrroc("trace", "hash", trace).stdout}
-        self.assertIn("34 rules hold", mrroc("trace", "check", trace).stdout)
+        hashes = {mrroc("trace", "hash", recording).stdout}
+        self.assertIn("34 rules hold", mrroc("trace", "check", recording).stdout)
         for replay in ("first", "second"):
-            again = self.folder / f"{replay}.trace"
-            done = mrroc("run", WAITING, "--clock", "lockstep", "--events", notes, "--trace", again, "--black-box=", "--quiet")
+            again = self.folder / f"{replay}.mcap"
+            done = mrroc("run", WAITING, "--clock", "lockstep", "--events", notes, "--record", again, "--black-box=", "--quiet")
             self.assertEqual(done.returncode, 0, done.stderr)
             hashes.add(mrroc("trace", "hash", again).stdout)
         self.assertEqual(len(hashes), 1, hashes)

@@ -190,20 +190,20 @@ class LiveOperator(unittest.TestCase):
     def setUp(self):
         self.folder = tempfile.mkdtemp()
         os.environ["MRROC_RUNTIME_DIR"] = f"{self.folder}/mrroc"
-        self.trace, self.noted = f"{self.folder}/live.trace", f"{self.folder}/noted.toml"
+        self.recording, self.noted = f"{self.folder}/live.mcap", f"{self.folder}/noted.toml"
 
     def tearDown(self):
         shutil.rmtree(self.folder)
 
     def expect_same_run_in_lockstep(self, exit_code):
-        again = f"{self.folder}/again.trace"
-        output_of("run", PRESS, "--hold", "--clock", "lockstep", "--events", self.noted, "--trace", again, "--quiet",
+        again = f"{self.folder}/again.mcap"
+        output_of("run", PRESS, "--hold", "--clock", "lockstep", "--events", self.noted, "--record", again, "--quiet",
                   "--black-box=", code=exit_code)
-        self.assertEqual(output_of("trace", "hash", self.trace), output_of("trace", "hash", again))
-        output_of("trace", "check", self.trace)
+        self.assertEqual(output_of("trace", "hash", self.recording), output_of("trace", "hash", again))
+        output_of("trace", "check", self.recording)
 
     def noting(self, black_boxes=""):
-        return ["--clock", "paced", "--note-events", self.noted, "--trace", self.trace, f"--black-box={black_boxes}"]
+        return ["--clock", "paced", "--note-events", self.noted, "--record", self.recording, f"--black-box={black_boxes}"]
 
     def test_run_is_held_started_paused_resumed_and_stopped_from_another_terminal(self):
         with LiveRun(self.folder, "--hold", *self.noting()) as run:
@@ -222,9 +222,9 @@ class LiveOperator(unittest.TestCase):
         self.expect_same_run_in_lockstep(STOPPED)
 
     def test_last_steps_are_recorded_while_the_task_runs(self):
-        elsewhere = f"{self.folder}/elsewhere"
+        elsewhere, trace = f"{self.folder}/elsewhere", f"{self.folder}/live.trace"
         os.mkdir(elsewhere)
-        with LiveRun(self.folder, "--hold", *self.noting(f"{self.folder}/boxes"), cwd=self.folder) as run:
+        with LiveRun(self.folder, "--hold", *self.noting(f"{self.folder}/boxes"), "--trace", trace, cwd=self.folder) as run:
             run.await_task("held")
             self.assertIn("no task on this machine has made a step", output_of("record", "early.trace", code=1))
             output_of("start")
@@ -246,7 +246,7 @@ class LiveOperator(unittest.TestCase):
             self.assertIn("record by holder", run.text().replace("python3", "holder"))
         for file in (f"{elsewhere}/client.trace", f"{self.folder}/socket.trace"):
             self.assertIn("rules hold", output_of("trace", "check", file))
-            whole = pathlib.Path(self.trace).read_text(encoding="utf-8").splitlines()
+            whole = pathlib.Path(trace).read_text(encoding="utf-8").splitlines()
             steps = [line for line in pathlib.Path(file).read_text(encoding="utf-8").splitlines() if line[0] != "#"]
             self.assertGreater(len(steps), 10)
             self.assertLessEqual(set(steps), set(whole))
@@ -315,9 +315,9 @@ class LiveOperator(unittest.TestCase):
         self.expect_same_run_in_lockstep(0)
 
     def test_watchers_see_robots_and_readings_and_change_nothing(self):
-        plain, watched = f"{self.folder}/plain.trace", f"{self.folder}/watched.trace"
-        output_of("run", PRESS, "--hold", "--events", self.write_start(), "--clock", "lockstep", "--quiet", "--trace", plain)
-        with LiveRun(self.folder, "--hold", "--events", self.write_start(), "--clock", "lockstep", "--trace", watched) as run:
+        plain, watched = f"{self.folder}/plain.mcap", f"{self.folder}/watched.mcap"
+        output_of("run", PRESS, "--hold", "--events", self.write_start(), "--clock", "lockstep", "--quiet", "--record", plain)
+        with LiveRun(self.folder, "--hold", "--events", self.write_start(), "--clock", "lockstep", "--record", watched) as run:
             while not list((pathlib.Path(self.folder) / "mrroc").glob("*.sock")):
                 time.sleep(0.001)
             watchers = [subprocess.Popen([MRROC, "echo", "--of", of, "--json"], stdout=subprocess.PIPE, text=True)

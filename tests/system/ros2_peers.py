@@ -126,6 +126,6 @@ class Flood:
         return arrived, arrived / (time.monotonic() - self.begin)
 
 
-def trace_hash(trace):
-    done = subprocess.run([BUILD / "bin/mrroc", "trace", "hash", trace], capture_output=True, text=True, check=True)
+def hash_of(recording):
+    done = subprocess.run([BUILD / "bin/mrroc", "trace", "hash", recording], capture_output=True, text=True, check=True)
     return done.stdout.split()[0]

@@ -15,7 +15,7 @@ import unittest
 
 import numpy
 import rosless
-from ros2_peers import DOMAIN, PRESS, SOURCE, Flood, Run, enter_network, trace_hash, udp_ports
+from ros2_peers import DOMAIN, PRESS, SOURCE, Flood, Run, enter_network, hash_of, udp_ports
 from ros2_trigger import TriggerClient, endpoints
 
 # rosless aligns an empty sequence of numbers, which CDR does not: the last field is only its count
@@ -189,21 +189,21 @@ class Ros2(unittest.TestCase):
         self.assertEqual({each.header.frame_id for each in frames}, {"world"})
 
     def test_who_receives_pictures_changes_nothing(self):
-        trace = self.folder / "quiet.trace"
-        self.run_press("--clock", "lockstep", "--trace", trace, deployment=INSPECT).end()
+        recording = self.folder / "quiet.mcap"
+        self.run_press("--clock", "lockstep", "--record", recording, deployment=INSPECT).end()
         reader = rosless.Node(DOMAIN).subscribe("/eye/image_raw", CAMERA_TOPICS["/eye/image_raw"][0], wait=0.0)
         pictures, hashes = 0, set()
         for number in range(20):  # on a busy machine a run may be over before its first picture is drawn
-            watched = self.folder / f"{number}.trace"
-            run = self.run_press("--clock", "lockstep", "--ros2", "--trace", watched, deployment=INSPECT)
+            watched = self.folder / f"{number}.mcap"
+            run = self.run_press("--clock", "lockstep", "--ros2", "--record", watched, deployment=INSPECT)
             while run.process.poll() is None:
                 pictures += reader.read(timeout=0.05) is not None
             run.end()
-            hashes.add(trace_hash(watched))
+            hashes.add(hash_of(watched))
             if pictures:
                 break
         self.assertGreater(pictures, 0)
-        self.assertEqual(hashes, {trace_hash(trace)})
+        self.assertEqual(hashes, {hash_of(recording)})
 
     def test_real_robots_have_the_systems_time(self):
         before = time.time()
@@ -253,8 +253,8 @@ class Ros2(unittest.TestCase):
     def test_the_trace_is_the_same_whatever_happens_to_the_bridge(self):
         hashes = set()
         for number, signals in enumerate(([], [signal.SIGKILL], [signal.SIGSTOP])):
-            trace = self.folder / f"{number}.trace"
-            run = self.run_press("--clock", "lockstep", "--ros2", "--trace", trace)
+            recording = self.folder / f"{number}.mcap"
+            run = self.run_press("--clock", "lockstep", "--ros2", "--record", recording)
             run.wait_for("ros2: node")
             bridge = run.bridge()
             for each in signals:
@@ -262,15 +262,15 @@ class Ros2(unittest.TestCase):
             text = run.end()
             if signals == [signal.SIGKILL]:
                 self.assertIn("the process 'ros2' has ended", text)
-            hashes.add(trace_hash(trace))
-        trace = self.folder / "without.trace"
-        self.run_press("--clock", "lockstep", "--trace", trace).end()
-        self.assertEqual(hashes, {trace_hash(trace)})
+            hashes.add(hash_of(recording))
+        recording = self.folder / "without.mcap"
+        self.run_press("--clock", "lockstep", "--record", recording).end()
+        self.assertEqual(hashes, {hash_of(recording)})
 
     def test_a_flood_of_the_bridge_changes_nothing(self):
-        traces = [self.folder / "quiet.trace", self.folder / "flooded.trace"]
-        self.run_press("--clock", "lockstep", "--trace", traces[0]).end()
-        run = self.run_press("--clock", "lockstep", "--trace", traces[1], deployment=self.deployment("commands = true"))
+        recordings = [self.folder / "quiet.mcap", self.folder / "flooded.mcap"]
+        self.run_press("--clock", "lockstep", "--record", recordings[0]).end()
+        run = self.run_press("--clock", "lockstep", "--record", recordings[1], deployment=self.deployment("commands = true"))
         run.wait_for("ros2: node")
         flood = Flood(udp_ports(run.bridge()))
         client = TriggerClient(DOMAIN)
@@ -280,7 +280,7 @@ class Ros2(unittest.TestCase):
         arrived, rate = flood.end()
         print(f"{arrived} datagrams, {rate:.0f} a second, {client.last} requests")
         self.assertGreater(min(arrived, client.last), 1000)
-        self.assertEqual(trace_hash(traces[0]), trace_hash(traces[1]))
+        self.assertEqual(hash_of(recordings[0]), hash_of(recordings[1]))
 
     def test_a_bridge_that_cannot_start_ends_the_run_before_anything_moves(self):
         run = self.run_press("--clock", "lockstep", deployment=self.deployment('interface = "nowhere0"'))

@@ -1,11 +1,10 @@
-"""Whole tasks at the operator's speed, in lockstep: they succeed, take longer, and their traces obey the laws.
+"""Whole tasks at the operator's speed, in lockstep: they succeed, take longer, and their recordings obey the laws.
 
 speed_test.py BUILD_FOLDER SOURCE_FOLDER
 """
 
 import os
 import pathlib
-import re
 import shutil
 import subprocess
 import sys
@@ -14,6 +13,10 @@ import unittest
 
 BUILD, SOURCE = (pathlib.Path(folder).resolve() for folder in sys.argv[1:3])
 MRROC = str(BUILD / "bin/mrroc")
+os.environ["MRROC"] = MRROC
+sys.path.insert(0, str(SOURCE / "scripts"))
+import mrroc_trace
+
 TIMEOUT = 240
 
 
@@ -37,12 +40,11 @@ class Speed(unittest.TestCase):
         events = self.folder / "events.toml"
         events.write_text("".join(f'[[events]]\ntick = {tick}\ncommand = "speed"\nvalue = {percent}\n\n'
                                   for tick, percent in speeds), encoding="utf-8")
-        trace = self.folder / "trace"
+        recording = self.folder / "run.mcap"
         output_of("run", str(SOURCE / f"tasks/{task}/{task}.toml"), "--clock", "lockstep", "--events", str(events),
-                  "--trace", str(trace), "--quiet", "--black-box=")
-        output_of("trace", "check", str(trace))
-        ticks = [int(tick) for tick in re.findall(r" tick=(\d+)", trace.read_text(encoding="utf-8"))]
-        return max(ticks), output_of("trace", "hash", str(trace))
+                  "--record", str(recording), "--quiet", "--black-box=")
+        output_of("trace", "check", str(recording))
+        return max(step.tick for step in mrroc_trace.steps(recording)), output_of("trace", "hash", str(recording))
 
     def check(self, task):
         full, plain = self.run_with(task)

@@ -242,11 +242,11 @@ class StandardFiles(Case):
                 self.assertTrue(file.startswith("/dev/null" if fd in subset or fd == 0 else "pipe:"), (program, subset, fd, file))
 
     def test_verbs(self):
-        trace = self.folder / "trace"
+        recording = self.folder / "run.mcap"
         file = deployment(self.folder)
-        run([MRROC, "run", file, "--black-box", "", "--trace", str(trace)], cwd=self.folder)
+        run([MRROC, "run", file, "--black-box", "", "--record", str(recording)], cwd=self.folder)
         for subset in SUBSETS:
-            for verb in (["run", file, "--check"], ["trace", "hash", str(trace)], ["trace", "check", str(trace)], ["agent"]):
+            for verb in (["run", file, "--check"], ["trace", "hash", str(recording)], ["trace", "check", str(recording)], ["agent"]):
                 self.same(subset, [MRROC, *verb])
             keys = self.folder / ("keys" + "".join(map(str, subset)))
             code = subprocess.run(closing(subset, [MRROC, "keys", str(keys)]), check=False, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode

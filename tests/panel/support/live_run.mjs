@@ -156,13 +156,14 @@ export class LiveRun {
   }
 }
 
-export function trace_hash(file) {
+/** The hash of the steps in a recording. */
+export function hash_of(file) {
   return execFileSync(MRROC, ['trace', 'hash', file], { encoding: 'utf8' }).trim().split(/\s+/)[0];
 }
 
-/** Repeats a live run of `file` in lockstep from its noted events; the result is the hash of its trace. */
+/** Repeats a live run of `file` in lockstep from its noted events; the result is the hash of its steps. */
 export function hash_of_repetition(run, file, noted, exit_code) {
-  const trace = run.path('again.trace');
+  const recording = run.path('again.mcap');
   const done = run.command(
     'run',
     file,
@@ -171,11 +172,11 @@ export function hash_of_repetition(run, file, noted, exit_code) {
     'lockstep',
     '--events',
     noted,
-    '--trace',
-    trace,
+    '--record',
+    recording,
     '--quiet',
     '--black-box=',
   );
   if (done.code !== exit_code) throw new Error(`the repetition ends with ${done.code}: ${done.text}`);
-  return trace_hash(trace);
+  return hash_of(recording);
 }
