@@ -95,11 +95,11 @@ def main():
     output = run(enter, "--root", base, "/tmp/given/in_chroot", env={**os.environ, "LD_PRELOAD": str(library), "MRROC_GIVEN": str(given)},
                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     print(output)
-    trace = folder / "press.trace"
-    run(binary / "bin/mrroc", "run", "--quiet", source / "tasks/press/press.toml", "--clock", "lockstep", "--trace", trace)
-    expected = run(binary / "bin/mrroc", "trace", "hash", trace, stdout=subprocess.PIPE).split()[0]
+    recording = folder / "press.mcap"
+    run(binary / "bin/mrroc", "run", "--quiet", source / "tasks/press/press.toml", "--clock", "lockstep", "--record", recording)
+    expected = run(binary / "bin/mrroc", "trace", "hash", recording, stdout=subprocess.PIPE).split()[0]
     if f"hash {expected}" not in output:
-        sys.exit(f"the trace of the installed task differs from the build folder's: expected hash {expected}")
+        sys.exit(f"the steps of the installed task differ from the build folder's: expected hash {expected}")
 
 
 if __name__ == "__main__":

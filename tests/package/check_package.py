@@ -54,15 +54,15 @@ def check_commands(build, source, installed):
 
 
 def check_run(build, deployment):
-    """Two runs of a deployment: equal to the last bit, and the trace contains the steps of Move and keeps its rules."""
+    """Two runs of a deployment: equal to the last bit, and the recording has steps of Move and keeps the rules."""
     hashes = set()
     for number in (1, 2):
-        trace = build / f"{deployment.stem}_{number}.trace"
-        run(build / "bin/mrroc", "run", "--quiet", deployment, "--trace", trace)
-        if trace.stat().st_size == 0:
-            sys.exit(f"{deployment}: no step was made")
-        run(build / "bin/mrroc", "trace", "check", trace)
-        hashes.add(run(build / "bin/mrroc", "trace", "hash", trace))
+        recording = build / f"{deployment.stem}_{number}.mcap"
+        run(build / "bin/mrroc", "run", "--quiet", deployment, "--record", recording)
+        if '"is_move":true' not in run(build / "bin/mrroc", "trace", "cat", recording):
+            sys.exit(f"{deployment}: no step of a Move was made")
+        run(build / "bin/mrroc", "trace", "check", recording)
+        hashes.add(run(build / "bin/mrroc", "trace", "hash", recording))
     if len(hashes) != 1:
         sys.exit(f"{deployment}: two runs differ: {hashes}")
 

@@ -4,11 +4,10 @@
 Usage: arms.py MRROC CACHE [--only NAME ...] [--runs N] [--postures N] [--table FILE [--pictures FOLDER]]
 
 MRROC is the command, CACHE a folder for the packages, which are fetched by pip when they are missing, and for the types. With --runs
-the demo runs N times in lockstep and every trace must be the same. With --table the results are written as a page.
+the demo runs N times in lockstep and every run must have the same steps. With --table the results are written as a page.
 """
 
 import argparse
-import hashlib
 import math
 import os
 import pathlib
@@ -19,6 +18,9 @@ import subprocess
 import sys
 import tomllib
 import zipfile
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[3] / "scripts"))
+import mrroc_trace
 
 PLATFORMS = ("manylinux2014_x86_64", "manylinux_2_28_x86_64", "any")
 TIMEOUT = 600  # s, of one command
@@ -128,16 +130,19 @@ class Arm:
         self.home = re.search(r"home +(\d+) of \d+, (\S+) us, at most (\S+) us", text).groups()
         self.branches = re.search(r"branches +(\d+) of", text).group(1)
 
+    def hash_of(self, recording):
+        return self.mrroc("trace", "hash", recording).split()[0]
+
     def demo_of(self, name):
-        """The hash of the trace, the same for all runs."""
+        """The hash of the steps, the same for all runs."""
         hashes = set()
         for number in range(self.options.runs):
-            trace = self.share / f"{name}_{number}.trace"
-            self.mrroc("run", self.share / "robots" / name / "demo.toml", "--quiet", "--clock", "lockstep", "--trace", trace)
-            hashes.add(hashlib.sha256(trace.read_bytes()).hexdigest())
-            trace.unlink()
+            recording = self.share / f"{name}_{number}.mcap"
+            self.mrroc("run", self.share / "robots" / name / "demo.toml", "--quiet", "--clock", "lockstep", "--record", recording)
+            hashes.add(self.hash_of(recording))
+            recording.unlink()
         if len(hashes) > 1:
-            raise RuntimeError(f"{name}: {self.options.runs} runs of the demo have {len(hashes)} different traces")
+            raise RuntimeError(f"{name}: {self.options.runs} runs of the demo have {len(hashes)} different hashes")
         return next(iter(hashes), "")
 
     def demo(self):
@@ -160,16 +165,15 @@ class Arm:
             return
         folder = self.options.cache / "press" / self.name
         folder.mkdir(parents=True, exist_ok=True)
-        trace = folder / "trace"
+        recording = folder / "press.mcap"
 
-        def steps(program, *bodies, change=lambda deployment: deployment):
+        def states(program, *bodies, change=lambda deployment: deployment):
             (folder / "press.xml").write_text(SCENE.format("".join(bodies), RELEASED if bodies else ""), encoding="utf-8")
             (folder / "press.toml").write_text(change(PRESS.format(self.name, program)), encoding="utf-8")
-            self.mrroc("run", folder / "press.toml", "--quiet", "--black-box", "", "--trace", trace)
-            return [{key: [float(number) for number in values.split(",")] for key, values in re.findall(r" (pose|wrench)=(\S+)", line)}
-                    for line in trace.read_text(encoding="utf-8").splitlines()]
+            self.mrroc("run", folder / "press.toml", "--quiet", "--black-box", "", "--record", recording)
+            return [state for step in mrroc_trace.steps(recording) for state in step.robots.values()]
 
-        x, y, z = next(step["pose"][:3] for step in steps("mrroc_arm_demo") if "pose" in step)
+        x, y, z = states("mrroc_arm_demo")[0].pose[:3]
         pad = PAD.format(x, y, z - self.pad)
         programs = self.options.mrroc.parent.parent / "tests"
         runs = [("", lambda deployment: deployment)]
@@ -177,22 +181,22 @@ class Arm:
             runs += [(f" by its controller with source = {source}, clock = {clock}, run {number + 1}",
                       lambda text, source=source, clock=clock: by_controller(text, source, clock))
                      for source in ("netft", "ur") for clock in self.options.clocks for number in range(self.options.runs)]
-        hashes = {}  # of the traces in lockstep, by the deployment
+        hashes = {}  # of the steps in lockstep, by the deployment
         for how, change in runs:
-            forces = [step["wrench"][:3] for step in steps(programs / "press_at_home_ecp", pad, change=change) if "wrench" in step]
+            forces = [state.wrench[:3] for state in states(programs / "press_at_home_ecp", pad, change=change) if state.wrench]
             if "lockstep" in how:
-                hashes.setdefault(how.split(", run")[0], set()).add(hashlib.sha256(trace.read_bytes()).hexdigest())
+                hashes.setdefault(how.split(", run")[0], set()).add(self.hash_of(recording))
             force = max(math.dist(each, forces[0]) for each in forces)  # without the weight behind the sensor
             if not FORCE[0] <= force <= FORCE[1]:
                 raise RuntimeError(f"{self.name}: pressed with {force:.1f} N{how}, expected {FORCE[0]} to {FORCE[1]} N")
             print(f"{self.name}: pressed with {force:.1f} N{how}", flush=True)
             if self.options.controllers:
-                steps(programs / "force_at_home_ecp", pad, change=change)  # ends with an error unless every part holds
+                states(programs / "force_at_home_ecp", pad, change=change)  # ends with an error unless every part holds
                 print(f"{self.name}: force law, lead-through and force limit{how}", flush=True)
         for how, different in hashes.items():
             if len(different) > 1:
-                raise RuntimeError(f"{self.name}: {self.options.runs} runs{how} have {len(different)} different traces")
-            print(f"{self.name}: one trace of {self.options.runs} runs{how}", flush=True)
+                raise RuntimeError(f"{self.name}: {self.options.runs} runs{how} have {len(different)} different hashes")
+            print(f"{self.name}: one hash of {self.options.runs} runs{how}", flush=True)
 
     def picture(self):
         self.options.pictures.mkdir(parents=True, exist_ok=True)
@@ -207,7 +211,7 @@ def page(arms, options):
              "those that the inverse finds from a posture within 0.1 rad or m; median and largest processor time in µs. Home: the",
              "same for 20,000 poses from home, as a motion in joint space asks, within the limits always. Branches: of these",
              "20,000 postures, those among the branches of their poses (seven axes: poses reached). Guessed: axes whose",
-             "acceleration and jerk, links whose inertia. Demo: the beginning of the SHA-256 of the trace, equal in all runs.", "",
+             "acceleration and jerk, links whose inertia. Demo: the beginning of the hash of the steps, equal in all runs.", "",
              "| arm | package | axes | inverse | KDL | MuJoCo | nearby | µs | home | µs | branches | guessed | demo |",
              "|---|---|---|---|---|---|---|---|---|---|---|---|---|"]
     for arm in arms:
@@ -232,6 +236,7 @@ def main():
     parser.add_argument("--pictures", type=pathlib.Path, default=pathlib.Path("docs/pictures/arms"))
     options = parser.parse_args()
     options.mrroc, options.cache = options.mrroc.resolve(), options.cache.resolve()
+    os.environ["MRROC"] = str(options.mrroc)
     description = tomllib.loads((pathlib.Path(__file__).parent / "arms.toml").read_text(encoding="utf-8"))
     arms, failures = [], 0
     for entry in description["arms"]:
