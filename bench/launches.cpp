@@ -25,7 +25,7 @@ const std::vector<Deployment> kDeployments{{"shuttle", "tasks/shuttle/shuttle.to
 
 std::string steps_of(const task_test::RunResult& run) {
   std::string lines;
-  for (const task_test::Step& step : run.steps) lines.append(step.line).append("\n");
+  for (const task_test::Step& step : run.steps) lines.append(step.json).append("\n");
   return lines;
 }
 

@@ -1,7 +1,7 @@
 // The language's own cost of one step of Move: the time of a Move on links that answer at once, minus the time of a
 // hand-written loop that makes the same calls of the links, the generator and the condition. Both are measured in turn,
 // round by round, in processor time of this thread, so that other work of the machine does not count; the table shows
-// medians over the rounds. Below it, the cost that a process adds: each step as a line in memory that outlives the
+// medians over the rounds. Below it, the cost that a process adds: each step, encoded, in memory that outlives the
 // process.
 #include <time.h>
 
@@ -13,7 +13,8 @@
 #include "language/fakes.hpp"
 #include "mrroc/conditions/elapsed_steps.hpp"
 #include "mrroc/move.hpp"
-#include "process/record/step_reporter.hpp"
+#include "process/record/shared_black_box.hpp"
+#include "process/record/step_encoder.hpp"
 
 namespace mrroc {
 namespace {
@@ -174,22 +175,21 @@ double median(std::vector<double> values) {
   return values[kRounds / 2];
 }
 
-/// As process::StepReporter does without a trace.
+/// As process::StepReporter does without a recording.
 class LastSteps : public StepObserver {
  public:
   void on_step(const StepRecord& record) noexcept override {
-    line_.clear();
-    process::format_step(line_, deployment_, "bench", record);
-    memory_.record(line_);
+    process::encode_step(step_, deployment_, "bench", record);
+    memory_.record(record.tick, step_);
   }
 
  private:
   config::Deployment deployment_;
-  process::TextLine line_;
+  process::EncodedStep step_;
   process::SharedBlackBox memory_ = process::SharedBlackBox::create();
 };
 
-/// Cost of writing a line of each step, compared with a Move without it.
+/// Cost of encoding each step, compared with a Move without it.
 void measure_last_steps(int robots, int sensors) {
   Bench bench(robots, sensors);
   const auto last_steps = std::make_unique<LastSteps>();
@@ -200,7 +200,7 @@ void measure_last_steps(int robots, int sensors) {
     bench.task.step_observer = last_steps.get();
     with.push_back(seconds_per_step([&] { bench.move(); }));
   }
-  std::printf("a line of each step, with %d robots, %d sensors: %.2f us\n", robots, sensors,
+  std::printf("encoding each step, with %d robots, %d sensors: %.2f us\n", robots, sensors,
               1e6 * (median(with) - median(without)));
 }
 

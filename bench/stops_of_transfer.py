@@ -33,7 +33,7 @@ def force(build, kind, seed):
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         command = [build / "bin/mrroc", "run", TASK, "--clock", "lockstep", "--quiet", "--black-box", ""]
-        command += ["--trace", folder / "trace", "--record", folder / "run.mcap"]
+        command += ["--record", folder / "run.mcap"]
         if kind == "pause":
             events = f"[[events]]\ntick = {at}\ncommand = \"pause\"\n[[events]]\ntick = {at + 500}\ncommand = \"resume\"\n"
             (folder / "events.toml").write_text(events)
@@ -44,7 +44,7 @@ def force(build, kind, seed):
         if done.returncode != 0:
             sys.exit(f"{kind}, seed {seed}: exit code {done.returncode}\n{done.stderr}")
         report = subprocess.run(
-            [build / "bin/cooperative_transfer_report", folder / "trace"], capture_output=True, text=True, check=True
+            [build / "bin/cooperative_transfer_report", folder / "run.mcap"], capture_output=True, text=True, check=True
         ).stdout
         late = any(robot.late for step in mrroc_trace.steps(folder / "run.mcap") for robot in step.robots.values())
     most, mean = re.search(r"internal force at most ([\d.]+) N, ([\d.]+) N RMS", report).groups()

@@ -50,7 +50,7 @@ int main(int argc, char** argv) {
   if (masses.empty()) masses = {0.5, 1, 2, 3};
   std::string pattern = std::filesystem::temp_directory_path() / "mrroc_transfer_XXXXXX";
   if (mkdtemp(pattern.data()) == nullptr) return std::perror("mkdtemp"), 1;
-  const std::filesystem::path folder = pattern, trace = folder / "trace";
+  const std::filesystem::path folder = pattern, trace = folder / "run.mcap";
   bool good = true;
   std::printf("   kg  seed  complete  off mm  off deg   with the error of the grasp  internal N  RMS   skew\n");
   for (const double mass : masses) {
@@ -60,7 +60,7 @@ int main(int argc, char** argv) {
     for (int seed = 1; seed <= seeds; ++seed) {
       const auto file = write_variant({mass, Variant::error_of(static_cast<unsigned>(seed))}, folder);
       const std::string command = std::string{MRROC_BINARY_DIR} + "/bin/mrroc run " + file.string() +
-                                  " --quiet --clock lockstep --trace " + trace.string();
+                                  " --quiet --clock lockstep --record " + trace.string();
       const bool ran = std::system(command.c_str()) == 0;
       good = good && ran;
       try {

@@ -53,11 +53,11 @@ endif()
 find_library(ZSTD zstd REQUIRED)
 file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/mcap.cpp
   CONTENT "#define MCAP_IMPLEMENTATION\n#include <mcap/reader.hpp>\n#include <mcap/writer.hpp>\n")
-add_library(mrroc_mcap STATIC EXCLUDE_FROM_ALL ${CMAKE_BINARY_DIR}/mcap.cpp)
+add_library(mrroc_mcap STATIC ${CMAKE_BINARY_DIR}/mcap.cpp)
 set_target_properties(mrroc_mcap PROPERTIES POSITION_INDEPENDENT_CODE ON)
 target_compile_definitions(mrroc_mcap PUBLIC MCAP_COMPRESSION_NO_LZ4)
-target_include_directories(mrroc_mcap SYSTEM PUBLIC ${MRROC_MCAP}/cpp/mcap/include)
-target_link_libraries(mrroc_mcap PUBLIC ${ZSTD})
+target_include_directories(mrroc_mcap SYSTEM PUBLIC $<BUILD_INTERFACE:${MRROC_MCAP}/cpp/mcap/include>)
+target_link_libraries(mrroc_mcap PUBLIC $<BUILD_INTERFACE:${ZSTD}> $<INSTALL_INTERFACE:zstd>)
 
 # reference for our own kinematics in tests and benchmarks
 if(MRROC_TESTS OR MRROC_BENCH)

@@ -63,12 +63,12 @@ set(MRROC_INCLUDED_HEADERS
   src/process/faulty_robot_link.hpp
   src/process/mailbox.hpp
   src/process/process.hpp
+  src/process/record/encoded_step.hpp
   src/process/record/shared_black_box.hpp
   src/process/record/step_reporter.hpp
   src/process/record/step_ring.hpp
-  src/process/record/text_line.hpp
-  src/process/record/trace_file.hpp
   src/process/status_board.hpp
+  src/recording/recorded_step.hpp
   src/process/fibers.hpp
   src/process/task_process.hpp
   src/process/task_trajectories.hpp

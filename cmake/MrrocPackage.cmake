@@ -3,8 +3,8 @@
 # share/mrroc/; an installation also has libexec/mrroc/.
 include(CMakePackageConfigHelpers)
 
-# Ruckig is linked into our own library and installed privately: the system may have another one
-install(TARGETS ruckig EXPORT mrroc ARCHIVE DESTINATION lib/mrroc COMPONENT development)
+# linked into our own libraries and installed privately: the system may have others
+install(TARGETS ruckig mrroc_mcap EXPORT mrroc ARCHIVE DESTINATION lib/mrroc COMPONENT development)
 
 set(package ${CMAKE_BINARY_DIR}/lib/cmake/mrroc)
 configure_file(cmake/mrrocConfig.cmake ${package}/mrrocConfig.cmake COPYONLY)

@@ -13,7 +13,10 @@
 #include <stdexcept>
 #include <thread>
 
+#include "messages/message_table.hpp"
+#include "messages/mrroc_msgs/step.hpp"
 #include "mrroc/testing/scratch_folder.hpp"
+#include "recording/recording_reader.hpp"
 
 namespace mrroc::task_test {
 
@@ -97,31 +100,31 @@ std::vector<std::string> kill_leftovers(const std::string& mark) {
   return found;
 }
 
-/// The text after `key=` in a line of a trace, without its quotation marks.
-std::string value_of(const std::string& line, const std::string& key) {
-  // the key of the line itself comes first; those of its robots and sensors have a prefix
-  const std::size_t place = line.starts_with(key + "=") ? 0 : line.find(" " + key + "=");
-  if (place == std::string::npos) return "";
-  const std::size_t begin = line.find('=', place) + 1;
-  if (begin < line.size() && line[begin] == '"') return line.substr(begin + 1, line.find('"', begin + 1) - begin - 1);
-  return line.substr(begin, line.find(' ', begin) - begin);
+/// The words of StepEnding, behind `none`.
+constexpr std::array kEndings{"",        "condition",       "generator",      "end_motion",
+                              "stopped", "non_fatal_error", "hardware_error", "system_error"};
+
+std::string json_of(std::span<const std::byte> step) {
+  for (const messages::MessageType& type : messages::message_types())
+    if (type.name == messages::mrroc_msgs::Step::kType) return type.json(step);
+  return "";
 }
 
-std::vector<Step> read_steps(const std::filesystem::path& trace) {
+std::vector<Step> read_steps(const std::filesystem::path& file) {
   std::vector<Step> steps;
-  std::ifstream file(trace);
-  for (std::string line; std::getline(file, line);) {
-    if (!line.starts_with("tick=")) continue;
+  recording::RecordingReader reader(file);
+  while (const auto message = reader.next()) {
+    if (message->type != messages::mrroc_msgs::Step::kType) continue;
+    const auto read = messages::from_cdr<messages::mrroc_msgs::Step>(message->cdr);
     Step step;
-    step.tick = std::stoull(value_of(line, "tick"));
-    step.process = value_of(line, "process");
-    step.instruction = value_of(line, "move");
-    step.is_move = !step.instruction.empty();
-    if (!step.is_move) step.instruction = value_of(line, "wait");
-    step.step = std::stoull(value_of(line, "step"));
-    step.ending = value_of(line, "end");
-    step.line = line;
-    steps.push_back(step);
+    step.tick = read.tick;
+    step.process = read.process;
+    step.instruction = read.name;
+    step.is_move = read.is_move;
+    step.step = read.step_number;
+    step.ending = kEndings.at(read.ending);
+    step.json = json_of(message->cdr);
+    steps.push_back(std::move(step));
   }
   return steps;
 }
@@ -169,10 +172,10 @@ DeploymentRun& DeploymentRun::option(std::string word) {
 
 RunResult DeploymentRun::run(int patience) {
   const ScratchFolder folder;
-  const std::filesystem::path trace = folder.path() / "trace", motion = folder.path() / "motion",
+  const std::filesystem::path steps = folder.path() / "steps.mcap", motion = folder.path() / "motion",
                               output = folder.path() / "output";
-  std::vector<std::string> words{command_, "run",      deployment_, "--quiet",     "--trace",
-                                 trace,    "--motion", motion,      "--black-box", ""};
+  std::vector<std::string> words{command_, "run",      deployment_, "--quiet",     "--record",
+                                 steps,    "--motion", motion,      "--black-box", ""};
   if (std::find(options_.begin(), options_.end(), "--clock") == options_.end())
     words.insert(words.end(), {"--clock", "lockstep"});
   for (const std::string& fault : faults_) words.insert(words.end(), {"--inject", fault});
@@ -185,7 +188,7 @@ RunResult DeploymentRun::run(int patience) {
   if (const auto reasons = rests_of(result.output, "mrroc: "); !reasons.empty()) result.error = reasons.front();
   for (const std::string& rest : rests_of(result.output, "injected at tick "))
     result.injected[rest.substr(rest.find(": ") + 2)] = std::stoull(rest);
-  if (std::filesystem::exists(trace)) result.steps = read_steps(trace);
+  if (recording::is_recording(steps)) result.steps = read_steps(steps);
   if (std::filesystem::exists(motion)) result.motion = read_motion(motion);
   return result;
 }

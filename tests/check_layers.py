@@ -14,6 +14,7 @@ LAYERS = [
     ("src/geometry", "src/kinematics", "src/calibration", "src/regulation"),
     ("src/language",),
     ("src/clock", "src/config", "src/links", "src/world", "src/faults", "src/can", "src/canopen", "src/command"),
+    ("src/recording",),
     ("src/process",),
     ("mp", "ecp", "edp", "vsp"),
     ("robots", "sensors", "drivers"),

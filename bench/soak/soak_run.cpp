@@ -15,7 +15,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "cli/output/trace.hpp"
+#include "cli/trace/hash.hpp"
 #include "cooperative_transfer/report/variant.hpp"
 #include "mrroc/testing/scratch_folder.hpp"
 
@@ -55,7 +55,7 @@ class Run {
       dup2(ends[1], STDERR_FILENO);
       close(ends[0]);
       close(ends[1]);
-      execl(mrroc.c_str(), mrroc.c_str(), "run", deployment.c_str(), "--clock", "lockstep", "--trace", trace.c_str(),
+      execl(mrroc.c_str(), mrroc.c_str(), "run", deployment.c_str(), "--clock", "lockstep", "--record", trace.c_str(),
             "--black-box", "", static_cast<char*>(nullptr));
       _exit(127);
     }
@@ -109,7 +109,7 @@ void read_report(const std::string& line, SoakRun& run) {
 
 SoakRun soak(double seconds) {
   const task_test::ScratchFolder folder;
-  const std::filesystem::path trace = folder.path() / "trace";
+  const std::filesystem::path trace = folder.path() / "run.mcap";
   Run process(write_deployment(folder.path(), seconds), trace);
   SoakRun run;
   double next = kTold;
@@ -131,7 +131,7 @@ SoakRun soak(double seconds) {
   process.wait(run);
   if (run.exit_code != 0) return run;
   run.trace_bytes = std::filesystem::file_size(trace);
-  run.hash = cli::hash_trace(trace);
+  run.hash = cli::trace::hash_of(trace).text;
   return run;
 }
 

@@ -93,7 +93,8 @@ void add_kind(CLI::App& calibrate_verb, const CalibrationKind& kind, int& exit_c
   command::add_number<std::uint32_t>(*command, "--seed", arguments->seed, 0, std::numeric_limits<std::uint32_t>::max(),
                                      "Seed of these errors; 1 when left out")
       ->needs(errors);
-  command->add_option("--trace", arguments->options.trace, "Write every step of every Move and Wait to this file");
+  command->add_option("--record,--trace", arguments->options.recording,
+                      "Record every step, state, reading and command to this MCAP file (docs/reference/recording.md)");
   command->add_flag("--quiet", arguments->options.quiet, "Only the lines of the calibration");
   add_settings(*command, *arguments);
   command->callback([arguments, &exit_code] { exit_code = calibrate(*arguments); });

@@ -42,10 +42,9 @@ void check_hosts(const config::Deployment& deployment, const RunArguments& argum
   if (deployment.clock != config::ClockMode::real)
     throw config::ConfigurationError(deployment.file, 0, "--clock " + arguments.clock,
                                      "host '" + used.front()->name + "' is another machine", "--clock real");
-  if (!arguments.options.recording.empty())
-    throw config::ConfigurationError(deployment.file, 0, "--record",
-                                     "host '" + used.front()->name + "' is another machine",
-                                     "processes on this machine, or --trace");
+  if (arguments.options.record_servo_ticks)
+    throw config::ConfigurationError(deployment.file, 0, "--record-rate servo",
+                                     "host '" + used.front()->name + "' is another machine", "--record-rate step");
   if (!arguments.options.snapshots.empty() && deployment.sim && !deployment.sim->host.empty())
     throw config::ConfigurationError(deployment.file, 0, "--snapshots",
                                      "the simulator runs on host '" + deployment.sim->host + "'",
@@ -123,8 +122,7 @@ void add_run_command(CLI::App& app, int& exit_code) {
   command->add_option("FILE", arguments->file, "Deployment file (TOML)")->required();
   command->add_option("--clock", arguments->clock, "Clock instead of the deployment's")
       ->check(CLI::IsMember(config::clock_names()));
-  command->add_option("--trace", arguments->options.trace, "Write every step of every Move and Wait to this file");
-  command->add_option("--record", arguments->options.recording,
+  command->add_option("--record,--trace", arguments->options.recording,
                       "Record every step, state, reading and command to this MCAP file (docs/reference/recording.md)");
   command
       ->add_option_function<std::string>(

@@ -7,11 +7,10 @@
 #include <utility>
 
 #include "cli/commands/plot_command.hpp"
-#include "cli/output/trace.hpp"
-#include "cli/record/recording_reader.hpp"
-#include "cli/record/recording_text.hpp"
+#include "cli/record/recording_json.hpp"
 #include "cli/trace/check.hpp"
 #include "cli/trace/diff.hpp"
+#include "cli/trace/hash.hpp"
 #include "command/print.hpp"
 #include "process/exit_code.hpp"
 
@@ -31,21 +30,14 @@ void note_early_end(const std::filesystem::path& file) {
              stderr);
 }
 
-/// The text of a recording's trace.
-std::string text_of_recording(const std::filesystem::path& file) {
-  record::TraceOfRecording trace = record::trace_of(file);
-  if (!trace.complete) note_early_end(file);
-  return std::move(trace.text);
-}
-
 int check(const std::filesystem::path& file, bool all) {
   std::uint64_t reported = 0;
   const std::function<void(const std::string&)> report = [&](const std::string& violation) {
     if (all || reported < kShown) command::print(violation + "\n");
     ++reported;
   };
-  const trace::Verdict verdict = record::is_recording(file) ? trace::check_trace(file, text_of_recording(file), report)
-                                                            : trace::check_trace(file, report);
+  const trace::Verdict verdict = trace::check_trace(file, report);
+  if (!verdict.complete) note_early_end(file);
   for (const std::string& note : verdict.notes) command::print(note + "\n");
   const std::string looked_at =
       fmt::format("{}: {} of {} of {}", file.filename().string(), count_of(verdict.lines, "step"),
@@ -63,21 +55,18 @@ int check(const std::filesystem::path& file, bool all) {
 
 void add_hash(CLI::App& command, int& exit_code) {
   auto file = std::make_shared<std::filesystem::path>();
-  CLI::App* hash = command.add_subcommand("hash", "Print the hash of a trace: equal traces, equal hashes");
-  hash->add_option("FILE", *file, "Trace file, or recording")->required();
+  CLI::App* hash = command.add_subcommand("hash", "Print the hash of a run's steps: equal runs, equal hashes");
+  hash->add_option("FILE", *file, "Recording (MCAP)")->required();
   hash->callback([file, &exit_code] {
-    command::print((record::is_recording(*file) ? hash_trace(*file, text_of_recording(*file)) : hash_trace(*file)) +
-                   "\n");
+    const trace::Hash found = trace::hash_of(*file);
+    if (!found.complete) note_early_end(*file);
+    command::print(found.text + "\n");
     exit_code = 0;
   });
 }
 
-trace::Reader reader_of(const std::filesystem::path& file) {
-  return record::is_recording(file) ? trace::Reader(file, text_of_recording(file)) : trace::Reader(file);
-}
-
 int diff(const std::filesystem::path& first, const std::filesystem::path& second) {
-  trace::Reader one = reader_of(first), other = reader_of(second);
+  trace::Reader one(first), other(second);
   const trace::Comparison found = trace::compare(one, other);
   if (!found.difference) {
     command::print(fmt::format("equal: {}\n", count_of(found.steps, "step")));
@@ -97,26 +86,20 @@ void add_diff(CLI::App& command, int& exit_code) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App* diff_command = command.add_subcommand(
       "diff", "Name the first difference of two runs: process, instruction, step, field, both values");
-  diff_command->add_option("FIRST", arguments->first, "Trace file, or recording")->required();
-  diff_command->add_option("SECOND", arguments->second, "Trace file, or recording")->required();
+  diff_command->add_option("FIRST", arguments->first, "Recording (MCAP)")->required();
+  diff_command->add_option("SECOND", arguments->second, "Recording (MCAP)")->required();
   diff_command->callback([arguments, &exit_code] { exit_code = diff(arguments->first, arguments->second); });
 }
 
 void add_cat(CLI::App& command, int& exit_code) {
-  struct Arguments {
-    std::filesystem::path file;
-    bool trace = false;
-  };
-  auto arguments = std::make_shared<Arguments>();
+  auto file = std::make_shared<std::filesystem::path>();
   CLI::App* cat = command.add_subcommand("cat", "Print each message of a recording as one line of JSON");
-  cat->add_option("FILE", arguments->file, "Recording (MCAP)")->required();
-  cat->add_flag("--trace", arguments->trace, "Print the lines of the run's trace instead");
-  cat->callback([arguments, &exit_code] {
+  cat->add_option("FILE", *file, "Recording (MCAP)")->required();
+  cat->callback([file, &exit_code] {
     exit_code = 0;
-    if (arguments->trace) return command::print(text_of_recording(arguments->file));
     const bool complete =
-        record::print_json(arguments->file, [](std::string_view line) { command::print(std::string{line} + "\n"); });
-    if (!complete) note_early_end(arguments->file);
+        record::print_json(*file, [](std::string_view line) { command::print(std::string{line} + "\n"); });
+    if (!complete) note_early_end(*file);
   });
 }
 
@@ -127,8 +110,8 @@ void add_check(CLI::App& command, int& exit_code) {
   };
   auto arguments = std::make_shared<Arguments>();
   CLI::App* check_command = command.add_subcommand(
-      "check", "Check a trace against the laws of Move and Wait, equations (3) and (5), and of coordination");
-  CLI::Option* file = check_command->add_option("FILE", arguments->file, "Trace file, or recording");
+      "check", "Check a recording against the laws of Move and Wait, equations (3) and (5), and of coordination");
+  CLI::Option* file = check_command->add_option("FILE", arguments->file, "Recording (MCAP)");
   check_command->add_flag("--all", arguments->all, "Show every violation, not the first ten");
   check_command->add_flag("--rules", arguments->rules, "List the rules and the equations they state")->excludes(file);
   check_command->callback([arguments, file, &exit_code] {
@@ -145,8 +128,7 @@ void add_check(CLI::App& command, int& exit_code) {
 }  // namespace
 
 void add_trace_command(CLI::App& app, int& exit_code) {
-  CLI::App* command =
-      app.add_subcommand("trace", "Look at a trace of `mrroc run --trace`, or a recording of `mrroc run --record`");
+  CLI::App* command = app.add_subcommand("trace", "Look at a recording of `mrroc run --record`, or a black box");
   command->require_subcommand(1);
   add_hash(*command, exit_code);
   add_check(*command, exit_code);

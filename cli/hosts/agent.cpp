@@ -21,7 +21,6 @@
 #include "config/table.hpp"
 #include "process/arguments.hpp"
 #include "process/process.hpp"
-#include "process/record/trace_file.hpp"
 
 namespace mrroc::cli {
 
@@ -77,7 +76,7 @@ process::ExitCode Agent::run() {
     fail(process::exit_code(error), error.what());
   }
   end_processes();
-  if (records_) records_->send(runner_);
+  if (records_) records_->send_rest(runner_);
   runner_.write("ended");
   drain();
   return code_;
@@ -183,6 +182,7 @@ void Agent::turn(int milliseconds) {
   if (!stopping_ && clock_->state() == clock::State::failed)
     fail(process::ExitCode::system, "clock lost: " + clock_->error());
   if (!started_) report_missing();
+  send_steps();
   runner_.flush();
 }
 
@@ -243,19 +243,19 @@ void Agent::end_processes() {
              .message = [this](const std::string& line) { runner_.write("line " + line); },
              .failed = [this](const std::string& reason) { fail(process::ExitCode::system, reason); }});
   group_.wait(0, signals_.descriptor());
-  for (const PlannedProcess& process : plan_) {
-    const Child* const child = group_.find(process.name);
-    if (child != nullptr && child->exit_code() == static_cast<int>(process::ExitCode::system) &&
-        child->last_line().starts_with(process::kTraceProblem))
-      fail(process::ExitCode::system, child->last_line());
-  }
 }
 
 void Agent::turn_at_the_end() {
   group_.wait(kTurn, signals_.descriptor());  // not the channel: a closed one would wake it without end
   read_signals();
   runner_.read();
+  send_steps();
   runner_.flush();
+}
+
+/// A runner that does not take them must not take the memory of this machine: then they are dropped and counted.
+void Agent::send_steps() {
+  if (records_ && runner_.waiting() < kMostWaiting) records_->send_steps(runner_);
 }
 
 void Agent::drain() {

@@ -45,6 +45,7 @@ class Agent {
   void supervise();
   void end_processes();
   void turn_at_the_end();
+  void send_steps();
   /// Gives the runner time to take the waiting lines.
   void drain();
 

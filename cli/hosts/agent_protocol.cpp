@@ -33,7 +33,7 @@ std::vector<std::string> to_lines(const AgentOrder& order) {
   for (const std::string& machine : order.machines) lines.push_back("machine " + machine);
   lines.push_back("beat_port " + std::to_string(order.beat_port));
   lines.push_back("key " + to_hex(order.key));
-  if (order.trace) lines.emplace_back("trace");
+  if (order.record) lines.emplace_back("record");
   if (order.black_box) lines.emplace_back("black_box");
   if (!order.motion.empty()) lines.push_back("motion " + order.motion.string());
   return lines;
@@ -61,8 +61,8 @@ AgentOrder order_of_lines(const std::vector<std::string>& lines) {
       if (!key) throw std::runtime_error("order 'key': expected 64 hexadecimal digits");
       order.key = *key;
       has_key = true;
-    } else if (word == "trace") {
-      order.trace = true;
+    } else if (word == "record") {
+      order.record = true;
     } else if (word == "black_box") {
       order.black_box = true;
     } else if (word == "motion") {
@@ -74,6 +74,18 @@ AgentOrder order_of_lines(const std::vector<std::string>& lines) {
   if (order.host.empty() || order.deployment.empty() || order.machines.empty() || order.beat_port == 0 || !has_key)
     throw std::runtime_error("the order is incomplete: `mrroc agent` is started by `mrroc run`, not by hand");
   return order;
+}
+
+std::string to_text(const recording::RecordedStep& step) {
+  return std::to_string(step.tick) + " " + core::hexadecimal(step.cdr);
+}
+
+std::optional<recording::RecordedStep> step_of(const std::string& text) {
+  const auto [number, digits] = split_word(text);
+  const auto tick = core::to_whole<Tick>(number);
+  auto bytes = core::bytes_of_hexadecimal(digits);
+  if (!tick || !bytes) return std::nullopt;
+  return recording::RecordedStep{*tick, std::move(*bytes)};
 }
 
 std::pair<std::string, std::string> split_word(const std::string& line) {

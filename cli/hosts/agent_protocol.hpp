@@ -9,13 +9,14 @@
 
 #include "cli/run/watch/heartbeat.hpp"
 #include "config/deployment.hpp"
+#include "recording/recorded_step.hpp"
 
 /// The protocol between `mrroc run` and `mrroc agent`, its helper on another host: lines of a word and its text.
 ///
 ///     runner: an order, then `start EPOCH_NS` (of the agent's clock), then `stop`
 ///     agent:  `mrroc-agent 1 VERSION`, `beat PORT`, `missing NAMES` (those not ready; empty at last), `started`,
-///             `line PROCESS TEXT`, `lost PROCESS EXIT_CODE HOW`, `failed EXIT_CODE REASON`, `trace PROCESS LINE`,
-///             `last_step PROCESS LINE`, `ended`
+///             `line PROCESS TEXT`, `lost PROCESS EXIT_CODE HOW`, `failed EXIT_CODE REASON`, `step PROCESS STEP`,
+///             `steps_end PROCESS ADDED DROPPED`, `last_step PROCESS STEP`, `ended`; STEP is to_text of a step
 ///
 /// The end of a stream means that its sender has ended.
 namespace mrroc::cli {
@@ -32,7 +33,7 @@ struct AgentOrder {
   std::vector<std::string> machines;                       ///< addresses of all, the runner's first
   int beat_port = 0;                                       ///< of the runner
   HeartbeatKey key{};
-  bool trace = false;            ///< the agent sends the traces of its tasks
+  bool record = false;           ///< the agent sends the steps of its tasks
   bool black_box = false;        ///< the agent sends their last steps
   std::filesystem::path motion;  ///< file there for the motion of the simulated world's robots; empty: none
 
@@ -42,6 +43,11 @@ struct AgentOrder {
 std::vector<std::string> to_lines(const AgentOrder& order);
 /// Parses an order from its lines, without the last one, `go`. Throws std::runtime_error that names what is wrong.
 AgentOrder order_of_lines(const std::vector<std::string>& lines);
+
+/// "TICK HEX": a step in hexadecimal digits.
+std::string to_text(const recording::RecordedStep& step);
+/// The step; nothing when the text is not one.
+std::optional<recording::RecordedStep> step_of(const std::string& text);
 
 /// The first word of a line, and the rest after one space.
 std::pair<std::string, std::string> split_word(const std::string& line);

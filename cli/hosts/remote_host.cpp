@@ -127,12 +127,14 @@ void RemoteHost::hear(const std::string& line) {
     missing_ = text;
   } else if (word == "line") {
     listener_.message(name + " | " + rest);
-  } else if (word == "trace") {
-    traced_at_ = clock::monotonic_ns();
-    listener_.trace(name, rest);
+  } else if (word == "step") {
+    hear_step(name, rest, listener_.step);
+  } else if (word == "steps_end") {
+    const auto [added, dropped] = split_word(rest);
+    listener_.steps_end(name, {static_cast<std::uint64_t>(whole_number(added).value_or(0)),
+                               static_cast<std::uint64_t>(whole_number(dropped).value_or(0))});
   } else if (word == "last_step") {
-    traced_at_ = clock::monotonic_ns();
-    listener_.last_step(name, rest);
+    hear_step(name, rest, listener_.last_step);
   } else if (word == "lost") {
     const auto [code, how] = split_word(rest);
     listener_.lost(name, static_cast<int>(whole_number(code).value_or(-1)), how);
@@ -142,6 +144,13 @@ void RemoteHost::hear(const std::string& line) {
   } else if (word == "ended") {
     said_ended_ = true;
   }
+}
+
+void RemoteHost::hear_step(const std::string& process, const std::string& text,
+                           const std::function<void(const std::string&, recording::RecordedStep)>& take) {
+  step_at_ = clock::monotonic_ns();
+  if (std::optional<recording::RecordedStep> step = step_of(text)) return take(process, std::move(*step));
+  fail(process::ExitCode::system, "a step of " + process + " is damaged");
 }
 
 void RemoteHost::poll_agent() {

@@ -22,9 +22,10 @@ struct HostListener {
   /// A process has ended or was stopped, `how` describes it; `exit_code` -1: by a signal.
   std::function<void(const std::string& process, int exit_code, const std::string& how)> lost;
   std::function<void(process::ExitCode code, const std::string& reason)> failed;
-  std::function<void(const std::string& process, const std::string& line)> trace;  ///< a line of its trace
-  /// A line of its last steps, the oldest first (process::SharedBlackBox).
-  std::function<void(const std::string& process, const std::string& line)> last_step;
+  std::function<void(const std::string& process, recording::RecordedStep step)> step;  ///< to be recorded
+  std::function<void(const std::string& process, const recording::StepCounts& counts)> steps_end;
+  /// One of its last steps, the oldest first (process::SharedBlackBox).
+  std::function<void(const std::string& process, recording::RecordedStep step)> last_step;
 };
 
 /// Limits of the deployment, s.
@@ -58,8 +59,8 @@ class RemoteHost {
   void kill() noexcept { agent_.signal(SIGKILL); }
 
   const std::string& name() const noexcept { return name_; }
-  /// When the last line of a trace or black box arrived, CLOCK_MONOTONIC, ns; 0: never.
-  std::int64_t traced_at() const noexcept { return traced_at_; }
+  /// When the last step of a task arrived, CLOCK_MONOTONIC, ns; 0: never.
+  std::int64_t step_at() const noexcept { return step_at_; }
   /// The error bound of its clock, ns; 0 while the clock is unknown.
   std::int64_t clock_error_ns() const;
   /// Whether every press and reset of the runner's emergency stop has arrived there.
@@ -68,6 +69,9 @@ class RemoteHost {
   std::string summary() const;
 
  private:
+  /// Passes on the step of a process; a text that is not one fails the run.
+  void hear_step(const std::string& process, const std::string& text,
+                 const std::function<void(const std::string&, recording::RecordedStep)>& take);
   void hear(const std::string& line);
   void poll_agent();
   void poll_link();
@@ -85,7 +89,7 @@ class RemoteHost {
   std::string missing_;
   bool stopped_ = false;     // it has been instructed to stop
   bool said_ended_ = false;  // it has reported its end
-  std::int64_t traced_at_ = 0;
+  std::int64_t step_at_ = 0;
   std::int64_t gone_since_ = 0;  // CLOCK_MONOTONIC, ns; 0: it is present
   bool told_gone_ = false;
 };

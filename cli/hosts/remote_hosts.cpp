@@ -124,9 +124,9 @@ bool RemoteHosts::all_ended() noexcept {
   return std::all_of(hosts_.begin(), hosts_.end(), [](RemoteHost& host) { return host.ended(); });
 }
 
-std::int64_t RemoteHosts::traced_at() const noexcept {
+std::int64_t RemoteHosts::step_at() const noexcept {
   std::int64_t latest = 0;
-  for (const RemoteHost& host : hosts_) latest = std::max(latest, host.traced_at());
+  for (const RemoteHost& host : hosts_) latest = std::max(latest, host.step_at());
   return latest;
 }
 

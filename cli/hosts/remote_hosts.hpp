@@ -38,8 +38,8 @@ class RemoteHosts {
   std::int64_t start();
   void stop();
   bool all_ended() noexcept;
-  /// When the last line of a trace or black box arrived from any of them, CLOCK_MONOTONIC, ns; 0: never.
-  std::int64_t traced_at() const noexcept;
+  /// When the last step of a task arrived from any of them, CLOCK_MONOTONIC, ns; 0: never.
+  std::int64_t step_at() const noexcept;
   /// Kills the commands that still run; returns the names of their hosts.
   std::vector<std::string> kill_rest() noexcept;
   /// A line for each, for the report.

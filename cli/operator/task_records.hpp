@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
@@ -9,30 +8,27 @@
 #include "cli/hosts/line_channel.hpp"
 #include "cli/processes/process_plan.hpp"
 #include "process/arguments.hpp"
-#include "process/record/claimed_file.hpp"
 #include "process/record/shared_black_box.hpp"
+#include "process/record/step_ring.hpp"
 
 namespace mrroc::cli {
 
-/// Records of the tasks on an agent's host for the runner, as far as its order requests them: their traces, kept in a
-/// folder that this object removes, and their last steps, in memory that outlives the tasks. Main thread.
+/// Records of the tasks on an agent's host for the runner, as far as its order requests them: their steps for the
+/// recording, and their last steps, in memory that outlives the tasks. Main thread.
 class TaskRecords {
  public:
-  /// Throws std::runtime_error: no folder; SystemError(resources): no memory.
+  /// Throws SystemError(resources) without memory.
   TaskRecords(const AgentOrder& order, const std::vector<PlannedProcess>& processes);
-  ~TaskRecords();
-  TaskRecords(const TaskRecords&) = delete;
-  TaskRecords& operator=(const TaskRecords&) = delete;
 
   /// Adds the descriptors for the records of the process; none for a process without a task.
   void add_to(process::Arguments& arguments) const;
-  /// Sends all records to the runner once the processes have ended.
-  void send(LineChannel& runner) const;
+  /// Sends the steps that have been made since the last call.
+  void send_steps(LineChannel& runner);
+  /// Sends all that remains once the processes have ended.
+  void send_rest(LineChannel& runner);
 
  private:
-  std::filesystem::path folder_;                        // of the traces; empty: none
-  std::map<std::string, process::ClaimedFile> traces_;  // by process
-  std::vector<std::string> tasks_;
+  std::map<std::string, process::StepRing> steps_;             // by process
   std::map<std::string, process::SharedBlackBox> last_steps_;  // by process
 };
 

@@ -1,21 +1,18 @@
 #include "cli/output/black_boxes.hpp"
 
 #include <cstring>
-#include <map>
 #include <stdexcept>
-#include <string_view>
 #include <system_error>
 #include <utility>
 
-#include "cli/output/trace.hpp"
 #include "process/record/black_box_file.hpp"
 #include "process/record/claimed_file.hpp"
 
 namespace mrroc::cli {
 
 BlackBoxes::BlackBoxes(const std::filesystem::path& folder, const config::Deployment& deployment,
-                       const std::vector<PlannedProcess>& processes)
-    : folder_(folder), deployment_(deployment) {
+                       const std::string& text, const std::vector<PlannedProcess>& processes)
+    : folder_(folder), deployment_(deployment), text_(text) {
   if (folder_.empty()) return;
   for (const PlannedProcess& process : processes) {
     if (!process.has_task) continue;
@@ -35,9 +32,9 @@ int BlackBoxes::fd_of(const std::string& process) const noexcept {
   return -1;
 }
 
-void BlackBoxes::take(const std::string& process, const std::string& line) {
+void BlackBoxes::take(const std::string& process, recording::RecordedStep step) {
   for (Box& box : boxes_)
-    if (box.process == process) box.reported.emplace_back() << line;
+    if (box.process == process) box.reported.push_back(std::move(step));
 }
 
 std::string BlackBoxes::reported() const {
@@ -50,10 +47,10 @@ std::string BlackBoxes::reported() const {
 std::string BlackBoxes::save_rest() const try {
   std::string text;
   for (const Box& box : boxes_) {
-    const std::vector<process::TextLine> lines = box.last_steps ? box.last_steps->lines() : box.reported;
-    if (lines.empty() || !written(box).empty()) continue;
+    const std::vector<recording::RecordedStep> steps = box.last_steps ? box.last_steps->steps() : box.reported;
+    if (steps.empty() || !written(box).empty()) continue;
     const bool simulated = deployment_.clock != config::ClockMode::real;
-    const std::uint64_t number = process::write_black_box(folder_, lines, deployment_, box.process, simulated);
+    const std::uint64_t number = process::write_black_box(folder_, steps, deployment_, text_, box.process, simulated);
     text += (text.empty() ? "black box: " : ", ") +
             process::black_box_path(folder_, deployment_, box.process, number).string();
   }
@@ -64,16 +61,17 @@ std::string BlackBoxes::save_rest() const try {
 
 std::string BlackBoxes::record(const std::filesystem::path& path) const {
   if (boxes_.empty()) throw std::logic_error("this run keeps no last steps");
-  std::map<std::string, std::vector<process::TextLine>> steps;
+  recording::LastSteps steps;
   std::string names, elsewhere;
   std::size_t count = 0;
   for (const Box& box : boxes_) {
     if (!box.last_steps) elsewhere += (elsewhere.empty() ? "" : ", ") + box.process;
-    std::vector<process::TextLine> lines = box.last_steps ? box.last_steps->lines() : std::vector<process::TextLine>{};
-    if (lines.empty()) continue;
+    if (!box.last_steps) continue;
+    std::vector<recording::RecordedStep> own = box.last_steps->steps();
+    if (own.empty()) continue;
     names += (names.empty() ? "" : ", ") + box.process;
-    count += lines.size();
-    steps.emplace(box.process, std::move(lines));
+    count += own.size();
+    steps.emplace(box.process, std::move(own));
   }
   if (count == 0) throw std::logic_error("no task on this machine has made a step");
   const std::filesystem::path file = std::filesystem::absolute(path).lexically_normal();
@@ -82,20 +80,10 @@ std::string BlackBoxes::record(const std::filesystem::path& path) const {
          (elsewhere.empty() ? "" : ", without those on other hosts: " + elsewhere) + "; black box: " + file.string();
 }
 
-void BlackBoxes::write_steps(const std::filesystem::path& path,
-                             const std::map<std::string, std::vector<process::TextLine>>& steps) const {
-  std::map<std::string, std::string> remarks;
-  std::map<std::string, std::vector<std::string_view>> lines;
-  for (const auto& [process, own] : steps) {
-    std::vector<std::string_view>& views = lines[process];
-    for (const process::TextLine& line : own) views.push_back(line.view());
-    std::string& remark = remarks[process] = process::black_box_remark(process, own);
-    remark.pop_back();  // its end
-    views.push_back(remark);
-  }
+void BlackBoxes::write_steps(const std::filesystem::path& path, const recording::LastSteps& steps) const {
   process::ClaimedFile file = process::ClaimedFile::create(path, "the black box");
   const bool simulated = deployment_.clock != config::ClockMode::real;
-  int problem = file.write(process::black_box_header(deployment_, simulated) + merge_lines(lines));
+  int problem = recording::write_last_steps(file.fd(), steps, deployment_, simulated, text_);
   if (const int at_close = file.close(); problem == 0) problem = at_close;
   if (problem == 0) return;
   std::error_code ignored;

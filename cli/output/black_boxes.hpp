@@ -1,13 +1,13 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "cli/processes/process_plan.hpp"
 #include "process/record/shared_black_box.hpp"
+#include "recording/last_steps.hpp"
 
 namespace mrroc::cli {
 
@@ -16,14 +16,15 @@ namespace mrroc::cli {
 /// another host are in memory there, and its agent sends them at the end. Main thread.
 class BlackBoxes {
  public:
-  /// `folder` empty: none is written. References must outlive it. Throws SystemError(resources) without memory.
-  BlackBoxes(const std::filesystem::path& folder, const config::Deployment& deployment,
+  /// `folder` empty: none is written. `text`: of the deployment. References must outlive it. Throws
+  /// SystemError(resources) without memory.
+  BlackBoxes(const std::filesystem::path& folder, const config::Deployment& deployment, const std::string& text,
              const std::vector<PlannedProcess>& processes);
 
   /// The descriptor that the process inherits; -1 when it has none, or is on another host.
   int fd_of(const std::string& process) const noexcept;
-  /// A line of the last steps of a task on another host, the oldest first.
-  void take(const std::string& process, const std::string& line);
+  /// One of the last steps of a task on another host, the oldest first.
+  void take(const std::string& process, recording::RecordedStep step);
   /// The written ones, as text that follows the failure: "; black box: FILE"; empty without one.
   std::string reported() const;
   /// Call it when all processes have ended. Writes the black boxes of the tasks that made a step but have not written
@@ -39,15 +40,15 @@ class BlackBoxes {
   struct Box {
     std::string process;
     std::optional<process::SharedBlackBox> last_steps;  ///< none: it is on another host
-    std::vector<process::TextLine> reported;            ///< received from that host
+    std::vector<recording::RecordedStep> reported;      ///< received from that host
   };
   /// The file that the task itself has written; empty without one.
   std::filesystem::path written(const Box& box) const;
-  void write_steps(const std::filesystem::path& path,
-                   const std::map<std::string, std::vector<process::TextLine>>& steps) const;
+  void write_steps(const std::filesystem::path& path, const recording::LastSteps& steps) const;
 
   const std::filesystem::path folder_;
   const config::Deployment& deployment_;
+  const std::string& text_;
   std::vector<Box> boxes_;
 };
 

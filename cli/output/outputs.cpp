@@ -20,8 +20,7 @@ process::ClaimedFile claim_live(const std::filesystem::path& path, const std::st
   return {path, what};
 }
 
-Outputs::Outputs(const RunOptions& options, const config::Deployment& deployment,
-                 const std::vector<PlannedProcess>& plan, const TraceOutput::Wait& wait) {
+Outputs::Outputs(const RunOptions& options, const config::Deployment& deployment, const RecordingOutput::Wait& wait) {
   for (const auto& [key, file] : input_files(deployment)) known_.emplace_back(key, process::identity_of(file));
   const bool remote = deployment.sim && !deployment.sim->host.empty();
   if (!options.motion.empty() && !remote) {
@@ -37,15 +36,9 @@ Outputs::Outputs(const RunOptions& options, const config::Deployment& deployment
   if (!options.recording.empty()) {
     check_apart("--record", options.recording);
     record_last_ = options.record_last.has_value();
-    recording_.emplace(claim_live(options.recording, "--record", "the recording"));
+    recording_.emplace(options.recording, deployment.start_timeout, wait);
+    if (!recording_->opened()) return;
     known_.emplace_back("--record", recording_->identity());
-  }
-  if (!options.trace.empty()) {
-    check_apart("--trace", options.trace);
-    trace_.emplace(options.trace, deployment.start_timeout, wait);
-    if (!trace_->opened()) return;
-    known_.emplace_back("--trace", trace_->file().identity());
-    parts_.emplace(*trace_, plan);
   }
   if (!options.snapshots.empty()) {
     std::filesystem::create_directories(options.snapshots);
@@ -68,24 +61,17 @@ void Outputs::check_apart(const std::string& option, const std::filesystem::path
                            ", expected another file");
 }
 
-Outputs::~Outputs() {
-  if (!begun_ && parts_) parts_->remove();
-}
-
 void Outputs::begin() {
-  begun_ = true;
-  if (trace_) trace_->clear();
   if (motion_ && motion_->is_own_regular_file() && ftruncate(motion_->fd(), 0) != 0)
     throw std::runtime_error("cannot write the motion file " + motion_->path().string() + ": " + std::strerror(errno));
   // one of the last seconds replaces the file only when there is something to write
-  if (recording_ && !record_last_ && recording_->is_own_regular_file() && ftruncate(recording_->fd(), 0) != 0)
-    throw std::runtime_error("cannot write the recording " + recording_->path().string() + ": " + std::strerror(errno));
+  if (recording_ && !record_last_) recording_->clear();
   if (notes_ && notes_->is_own_regular_file() && ftruncate(notes_->fd(), 0) != 0)
     throw std::runtime_error("cannot write the noted events " + notes_->path().string() + ": " + std::strerror(errno));
 }
 
-void Outputs::join_trace(config::ClockMode clock, const TraceOutput::Continue& go_on) {
-  if (parts_) parts_->join(*trace_, clock, go_on);
+void Outputs::pass_on_recording(const RecordingOutput::Continue& go_on) {
+  if (recording_ && recording_->opened()) recording_->pass_on(go_on);
 }
 
 }  // namespace mrroc::cli

@@ -6,8 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "cli/output/trace_output.hpp"
-#include "cli/output/trace_parts.hpp"
+#include "cli/output/recording_output.hpp"
 #include "cli/processes/process_plan.hpp"
 #include "cli/run/run_options.hpp"
 #include "config/deployment.hpp"
@@ -20,43 +19,34 @@ namespace mrroc::cli {
 class Outputs {
  public:
   /// Throws std::runtime_error that names the option, the file and the reason; then nothing has been emptied. `wait`:
-  /// see TraceOutput.
-  Outputs(const RunOptions& options, const config::Deployment& deployment, const std::vector<PlannedProcess>& plan,
-          const TraceOutput::Wait& wait);
-  ~Outputs();
-  Outputs(const Outputs&) = delete;
-  Outputs& operator=(const Outputs&) = delete;
+  /// see RecordingOutput.
+  Outputs(const RunOptions& options, const config::Deployment& deployment, const RecordingOutput::Wait& wait);
 
   /// Removes the content of an earlier run: from now on the outputs belong to this run.
   void begin();
 
-  /// The open part of the trace of a process, the open motion file, the open file of noted events; -1 when there is
-  /// none.
-  int trace_of(const std::string& process) const noexcept { return parts_ ? parts_->fd_of(process) : -1; }
+  /// The open motion file, the open file of noted events; -1 when there is none.
   int motion() const noexcept { return motion_ ? motion_->fd() : -1; }
   int notes() const noexcept { return notes_ ? notes_->fd() : -1; }
-  /// The open file of the recording; null: none is written.
-  const process::ClaimedFile* recording() const noexcept { return recording_ ? &*recording_ : nullptr; }
-  /// Null: no trace is written.
-  TraceParts* parts() noexcept { return parts_ ? &*parts_ : nullptr; }
-  /// At the end of the run. Throws as TraceParts::join.
-  void join_trace(config::ClockMode clock, const TraceOutput::Continue& go_on);
+  /// The open file for the recording; null: none is written.
+  const process::ClaimedFile* recording() const noexcept {
+    return recording_ && recording_->opened() ? &recording_->live() : nullptr;
+  }
+  /// At the end of the run, when the recording is complete. Throws as RecordingOutput::pass_on.
+  void pass_on_recording(const RecordingOutput::Continue& go_on);
 
  private:
   void check_apart(const std::string& option, const std::filesystem::path& path) const;
 
   std::vector<std::pair<std::string, process::FileIdentity>> known_;  // files that no further output may be
-  std::optional<TraceOutput> trace_;
   std::optional<process::ClaimedFile> motion_;
   std::optional<process::ClaimedFile> notes_;
-  std::optional<process::ClaimedFile> recording_;
+  std::optional<RecordingOutput> recording_;
   bool record_last_ = false;
   std::optional<process::ClaimedFile> snapshots_;
-  std::optional<TraceParts> parts_;
-  bool begun_ = false;
 };
 
-/// A file that is written during the run, without waiting for a reader: a regular file or a device. `option`: as typed;
+/// A file that is written during the run: a regular file or a device. `option`: as typed;
 /// `what`: its name in messages. Throws std::runtime_error for another, or as ClaimedFile.
 process::ClaimedFile claim_live(const std::filesystem::path& path, const std::string& option, const std::string& what);
 

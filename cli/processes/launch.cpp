@@ -34,8 +34,6 @@ process::Arguments arguments_for(const PlannedProcess& process, const Surroundin
   arguments.interface = interface_of(surroundings);
   if (network.security) arguments.keys = network.keys;
   arguments.peers = surroundings.peers;
-  arguments.trace_fd = surroundings.outputs.trace_of(process.name);
-  if (arguments.trace_fd >= 0) arguments.trace = options.trace;
   if (surroundings.recorder != nullptr) arguments.record_fd = surroundings.recorder->fd_of(process.name);
   if (process.has_task) arguments.black_box = options.black_box;
   arguments.black_box_fd = surroundings.black_boxes.fd_of(process.name);

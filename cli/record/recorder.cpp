@@ -13,10 +13,10 @@
 #include <utility>
 
 #include "cli/operator/event_notes.hpp"
-#include "cli/trace/parse_line.hpp"
 #include "messages/mrroc_msgs/event.hpp"
 #include "messages/mrroc_msgs/process_end.hpp"
 #include "messages/mrroc_msgs/servo_end.hpp"
+#include "messages/mrroc_msgs/step.hpp"
 
 namespace mrroc::cli::record {
 
@@ -41,8 +41,11 @@ Recorder::Recorder(const process::ClaimedFile& file, const Recorded& recorded)
       writer_(file.fd(), recorded.deployment, recorded.text, recorded.last),
       topics_(writer_, recorded.deployment, recorded.servo_ticks),
       fault_taken_(recorded.faults.size(), false) {
-  for (const PlannedProcess& process : recorded_.plan)
-    if (process.has_task) sources_.emplace(process.name, Source{process.name, "", process::StepRing::create()});
+  for (const PlannedProcess& process : recorded_.plan) {
+    if (!process.has_task) continue;
+    Source& source = sources_.emplace(process.name, Source{process.name}).first->second;
+    if (process.host.empty()) source.steps.emplace(process::StepRing::create());
+  }
   if (recorded_.servo_ticks) {
     servo_topics_.emplace(writer_, recorded_.deployment);
     for (const config::RobotEntry& robot : recorded_.deployment.robots)
@@ -65,12 +68,27 @@ Recorder::~Recorder() {
 int Recorder::fd_of(const std::string& process) const noexcept {
   const auto source = sources_.find(process);
   if (source == sources_.end()) return -1;
-  return source->second.steps ? source->second.steps->fd() : source->second.servo->fd();
+  if (source->second.steps) return source->second.steps->fd();
+  return source->second.servo ? source->second.servo->fd() : -1;
 }
 
 void Recorder::take(const config::Event& event) {
   const std::lock_guard lock(mutex_);
   events_.push_back({event.tick, nullptr, Event{kOperator, text_of(event, recorded_.deployment)}});
+}
+
+void Recorder::take(const std::string& process, recording::RecordedStep step) {
+  const auto source = sources_.find(process);
+  if (source == sources_.end()) return;
+  const std::lock_guard lock(mutex_);
+  const Tick tick = step.tick;
+  events_.push_back({tick, &source->second, std::move(step)});
+}
+
+void Recorder::take_end(const std::string& process, const recording::StepCounts& counts) {
+  const auto source = sources_.find(process);
+  const std::lock_guard lock(mutex_);
+  if (source != sources_.end()) source->second.counts = counts;
 }
 
 void Recorder::run() {
@@ -97,7 +115,7 @@ void Recorder::drain(bool at_end) {
   }
   take_faults(before);
   for (auto& [name, source] : sources_) {
-    while (std::optional<process::RecordedStep> step = source.steps ? source.steps->take() : std::nullopt)
+    while (std::optional<recording::RecordedStep> step = source.steps ? source.steps->take() : std::nullopt)
       waiting_.push_back({step->tick, &source, std::move(*step)});
     for (const edp::ServoSample* sample = nullptr; source.servo && (sample = source.servo->front()) != nullptr;) {
       waiting_.push_back({sample->tick, &source, *sample});
@@ -133,48 +151,49 @@ void Recorder::write(const Waiting& waiting) {
     return write_event(waiting.tick, event->kind, event->text, 0);
   Source& source = *waiting.source;
   source.last = waiting.tick;
-  if (const auto* const step = std::get_if<process::RecordedStep>(&waiting.content)) return write_step(source, *step);
+  if (const auto* const step = std::get_if<recording::RecordedStep>(&waiting.content)) return write_step(source, *step);
   ++source.servo_ticks;
   servo_topics_->write(source.robot, std::get<edp::ServoSample>(waiting.content));
 }
 
-void Recorder::write_step(Source& source, const process::RecordedStep& step) {
-  source.cut += step.cut ? 1 : 0;
+void Recorder::write_step(Source& source, const recording::RecordedStep& step) {
   try {
-    topics_.write(trace::parse_line(step.line, step.cut ? step.line.size() : std::string::npos), step.tick);
-  } catch (const trace::Malformed& error) {
-    // only a process that writes over its own memory makes such a line
+    const auto message = messages::from_cdr<messages::mrroc_msgs::Step>(step.cdr);
+    source.cut += message.cut ? 1 : 0;
+    topics_.write(message, step);
+  } catch (const messages::CdrError& error) {
+    // only a process that writes over its own memory makes such a step
     write_event(step.tick, kFault, "step of " + source.process + ": " + error.what(), 0);
   }
 }
 
 void Recorder::write_event(Tick tick, const std::string& kind, const std::string& text, int exit_code) {
   EventMessage event;
-  event.stamp = stamp_of(tick, writer_.period());
+  event.stamp = recording::stamp_of(tick, writer_.period());
   event.tick = tick;
   event.kind = kind;
   event.text = text;
   event.exit_code = exit_code;
-  writer_.write(kEventTopic, tick, event);
+  writer_.write(recording::kEventTopic, tick, event);
 }
 
 void Recorder::write_end(const Source& source) {
-  const auto stamp = stamp_of(source.last, writer_.period());
-  if (source.steps && source.steps->ended()) {
+  const auto stamp = recording::stamp_of(source.last, writer_.period());
+  if ((source.steps && source.steps->ended()) || source.counts) {
     ProcessEnd end;
     end.stamp = stamp;
     end.process = source.process;
-    end.steps = source.steps->added();
+    end.steps = source.steps ? source.steps->added() : source.counts->added;
     end.dropped = source.dropped();
     end.cut = source.cut;
-    writer_.write(kEndTopic, newest_, end);
+    writer_.write(recording::kEndTopic, newest_, end);
   } else if (source.servo && source.servo->ended()) {
     ServoEnd end;
     end.stamp = stamp;
     end.robot = source.robot;
     end.ticks = source.servo_ticks;
     end.dropped = source.dropped();
-    writer_.write(kServoEndTopic, newest_, end);
+    writer_.write(recording::kServoEndTopic, newest_, end);
   }
 }
 
@@ -224,7 +243,7 @@ std::string Recorder::dropped() const {
   for (const auto& [name, source] : sources_)
     if (source.dropped() != 0)
       text += (text.empty() ? "" : ", ") + std::to_string(source.dropped()) +
-              (source.steps ? " steps of " : " ticks of ") + source.process;
+              (source.servo ? " ticks of " : " steps of ") + source.process;
   return text;
 }
 

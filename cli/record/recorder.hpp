@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "cli/processes/process_plan.hpp"
-#include "cli/record/recording_writer.hpp"
 #include "cli/record/servo_topics.hpp"
 #include "cli/record/step_topics.hpp"
 #include "cli/run/run_result.hpp"
@@ -21,6 +20,7 @@
 #include "edp/servo/servo_tap.hpp"
 #include "process/record/claimed_file.hpp"
 #include "process/record/step_ring.hpp"
+#include "recording/recording_writer.hpp"
 
 namespace mrroc::cli::record {
 
@@ -53,6 +53,9 @@ class Recorder {
   int fd_of(const std::string& process) const noexcept;
   /// A command of the operator or of [[events]] that takes effect at its tick, before that tick is visible. Any thread.
   void take(const config::Event& event);
+  /// A step of a task on another host, and its end in order. Any thread.
+  void take(const std::string& process, recording::RecordedStep step);
+  void take_end(const std::string& process, const recording::StepCounts& counts);
   bool keeps_last() const noexcept { return writer_.keeps_last(); }
   /// Of a run whose last seconds are kept: writes them to a file that does not exist yet; a relative path is in the
   /// working folder. Returns "the last 60 s; recording: /PATH". Throws std::logic_error when there is nothing to be
@@ -66,17 +69,20 @@ class Recorder {
   std::string dropped() const;
 
  private:
-  /// A process from which steps or servo ticks come.
+  /// A process from which steps or servo ticks come; one without memory is on another host.
   struct Source {
     std::string process;
     std::string robot = {};  ///< whose servo it has
     std::optional<process::StepRing> steps = {};
     std::optional<edp::ServoTap> servo = {};
-    std::uint64_t cut = 0;          ///< steps that were too long
-    std::uint64_t servo_ticks = 0;  ///< that are recorded
-    Tick last = 0;                  ///< of the last step or servo tick
+    std::optional<recording::StepCounts> counts = {};  ///< of a process on another host that has ended in order
+    std::uint64_t cut = 0;                             ///< steps that were too long
+    std::uint64_t servo_ticks = 0;                     ///< that are recorded
+    Tick last = 0;                                     ///< of the last step or servo tick
 
-    std::uint64_t dropped() const noexcept { return steps ? steps->dropped() : servo->dropped(); }
+    std::uint64_t dropped() const noexcept {
+      return steps ? steps->dropped() : servo ? servo->dropped() : counts ? counts->dropped : 0;
+    }
   };
   struct Event {
     const char* kind = "";
@@ -86,7 +92,7 @@ class Recorder {
   struct Waiting {
     Tick tick = 0;
     Source* source = nullptr;  ///< null: an event
-    std::variant<Event, process::RecordedStep, edp::ServoSample> content;
+    std::variant<Event, recording::RecordedStep, edp::ServoSample> content;
   };
 
   void run();
@@ -94,7 +100,7 @@ class Recorder {
   void drain(bool at_end);
   void take_faults(Tick before);
   void write(const Waiting& waiting);
-  void write_step(Source& source, const process::RecordedStep& step);
+  void write_step(Source& source, const recording::RecordedStep& step);
   void write_event(Tick tick, const std::string& kind, const std::string& text, int exit_code);
   /// Unless the process was killed.
   void write_end(const Source& source);
@@ -103,15 +109,15 @@ class Recorder {
 
   const Recorded recorded_;
   const process::ClaimedFile& file_;
-  RecordingWriter writer_;
+  recording::RecordingWriter writer_;
   StepTopics topics_;
   std::optional<ServoTopics> servo_topics_;
   std::map<std::string, Source> sources_;  // by process
   Tick newest_ = 0;                        // of everything written
   std::vector<bool> fault_taken_;
   std::vector<Waiting> waiting_;
-  std::mutex mutex_;  // of the two below
-  std::vector<Waiting> events_;
+  std::mutex mutex_;             // of the two below
+  std::vector<Waiting> events_;  // and steps of other hosts
   bool ending_ = false;
   std::condition_variable wake_;
   std::thread thread_;

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "cli/record/standard_messages.hpp"
-#include "cli/record/step_message.hpp"
 #include "messages/mrroc_msgs/servo_tick.hpp"
 
 namespace mrroc::cli::record {
@@ -22,12 +21,12 @@ constexpr double kLongest = 1e9;  // ticks: a later time of a measurement is not
 messages::builtin_interfaces::Time measured_at(const edp::ServoSample& sample, std::uint64_t period) {
   const bool known = sample.measured >= 0 && sample.measured < kLongest;
   const double ticks = known ? sample.measured : 0;
-  return stamp_at(static_cast<std::uint64_t>(std::llround(ticks * static_cast<double>(period))));
+  return recording::stamp_at(static_cast<std::uint64_t>(std::llround(ticks * static_cast<double>(period))));
 }
 
 }  // namespace
 
-ServoTopics::ServoTopics(RecordingWriter& file, const config::Deployment& deployment) : file_(file) {
+ServoTopics::ServoTopics(recording::RecordingWriter& file, const config::Deployment& deployment) : file_(file) {
   for (const config::RobotEntry& robot : deployment.robots)
     robots_[robot.name] = {joint_names(robot), robot.force_sensor};
 }

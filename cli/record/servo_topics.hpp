@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "cli/record/recording_writer.hpp"
 #include "config/deployment.hpp"
 #include "edp/servo/servo_sample.hpp"
+#include "recording/recording_writer.hpp"
 
 namespace mrroc::cli::record {
 
@@ -16,7 +16,7 @@ namespace mrroc::cli::record {
 class ServoTopics {
  public:
   /// `file` must outlive it. Throws config::ConfigurationError: a robot's parameter file is invalid.
-  ServoTopics(RecordingWriter& file, const config::Deployment& deployment);
+  ServoTopics(recording::RecordingWriter& file, const config::Deployment& deployment);
   /// A sample of this robot's servo, of which a damaged process may have written every value.
   void write(const std::string& robot, const edp::ServoSample& sample);
 
@@ -26,7 +26,7 @@ class ServoTopics {
     std::string force_sensor;         ///< empty: it has none
   };
 
-  RecordingWriter& file_;
+  recording::RecordingWriter& file_;
   std::map<std::string, Robot> robots_;  // by name
 };
 

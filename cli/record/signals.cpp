@@ -8,7 +8,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "cli/record/recording_text.hpp"
+#include "cli/record/recording_json.hpp"
 #include "config/text/message_text.hpp"
 #include "core/nearest_word.hpp"
 

@@ -5,9 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "cli/record/recording_writer.hpp"
-#include "cli/trace/line.hpp"
 #include "config/deployment.hpp"
+#include "messages/mrroc_msgs/step.hpp"
+#include "recording/recorded_step.hpp"
+#include "recording/recording_writer.hpp"
 
 namespace mrroc::cli::record {
 
@@ -18,18 +19,18 @@ namespace mrroc::cli::record {
 class StepTopics {
  public:
   /// `file` must outlive it. Throws config::ConfigurationError: a robot's parameter file is invalid.
-  StepTopics(RecordingWriter& file, const config::Deployment& deployment, bool servo_ticks);
-  /// `tick`: at which the step was made; messages have it as their time.
-  void write(const trace::Line& line, Tick tick);
+  StepTopics(recording::RecordingWriter& file, const config::Deployment& deployment, bool servo_ticks);
+  /// `step`: what `recorded` contains.
+  void write(const messages::mrroc_msgs::Step& step, recording::RecordedStep recorded);
 
  private:
-  void write_robot(const trace::RobotEntry& robot, Tick tick);
-  void write_wrench(const std::string& name, const std::string& frame, const trace::Numbers& values, Tick measured,
+  void write_robot(const messages::mrroc_msgs::RobotState& robot, Tick tick);
+  void write_wrench(const std::string& name, const std::string& frame, const std::vector<double>& values, Tick measured,
                     Tick tick);
   /// Whether a value measured at this tick is the first of its topic, or newer than the last one.
   bool is_new(const std::string& topic, Tick measured);
 
-  RecordingWriter& file_;
+  recording::RecordingWriter& file_;
   const bool joint_states_;
   std::set<std::string> wrench_sensors_;
   std::map<std::string, std::vector<std::string>> joints_;  // names, by robot

@@ -12,7 +12,6 @@ namespace mrroc::cli {
 
 /// Options of a run in addition to its deployment.
 struct RunOptions {
-  std::filesystem::path trace;        ///< empty: none
   std::filesystem::path recording;    ///< MCAP file; empty: none
   bool record_servo_ticks = false;    ///< each tick of each servo, too
   std::optional<double> record_last;  ///< s: only the end of the run, when it fails

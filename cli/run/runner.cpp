@@ -61,8 +61,8 @@ Runner::Runner(const config::Deployment& deployment, RunOptions options)
       options_(std::move(options)),
       plan_(plan_processes(deployment_)),
       text_(within_limits(plan_, options_.text)),
-      black_boxes_(options_.black_box, deployment_, plan_),
-      progress_(names_of(plan_), deployment_.servo_period, options_.quiet, descriptor_for_progress(options_.trace)),
+      black_boxes_(options_.black_box, deployment_, options_.text, plan_),
+      progress_(names_of(plan_), deployment_.servo_period, options_.quiet, descriptor_for_progress(options_.recording)),
       domain_lock_(deployment_.domain, domain_of_ros2(deployment_, options_)),
       clock_(clock_options(deployment_, names_of(processes_on("", plan_)))),
       operator_clock_(clock_.operator_clock()),
@@ -89,8 +89,9 @@ process::ExitCode Runner::run() {
       progress_.message("warning: " + refused + " refused: ticks may come late (RLIMIT_RTPRIO, RLIMIT_MEMLOCK)");
   // before anything is started: a run without its outputs would be useless
   bool waits = false;
-  Outputs outputs(options_, deployment_, plan_, [&](int milliseconds) {
-    if (!std::exchange(waits, true)) progress_.message("waiting for a reader of the trace " + options_.trace.string());
+  Outputs outputs(options_, deployment_, [&](int milliseconds) {
+    if (!std::exchange(waits, true))
+      progress_.message("waiting for a reader of the recording " + options_.recording.string());
     return supervisor_.turn(milliseconds);
   });
   if (!supervisor_.ending()) outputs.begin();
@@ -112,8 +113,7 @@ process::ExitCode Runner::run() {
   // a failed task has written its own; this writes those of tasks that died or were ended because of it
   if (supervisor_.result().code == process::ExitCode::system)
     if (const std::string line = black_boxes_.save_rest(); !line.empty()) progress_.message(line);
-  join_trace(outputs);
-  close_recording();
+  close_recording(outputs);
   RunResult result = supervisor_.result();
   if (hosts_) result.hosts = hosts_->summaries();
   if (!options_.quiet) progress_.message(report_of(deployment_, result));
@@ -168,7 +168,7 @@ void Runner::start_processes(Outputs& outputs) {
   std::vector<PlannedProcess> order = plan_;
   std::mt19937_64 random(options_.shuffle_seed.value_or(0));
   if (options_.shuffle_seed) std::shuffle(order.begin(), order.end(), random);
-  hosts_ = std::make_unique<RemoteHosts>(deployment_, host_listener(outputs), operator_clock_->emergency_stop());
+  hosts_ = std::make_unique<RemoteHosts>(deployment_, host_listener(), operator_clock_->emergency_stop());
   supervisor_.watch(*hosts_);
   hosts_->start_agents(common_order());
   const Surroundings surroundings{.deployment = deployment_,
@@ -215,24 +215,29 @@ void Runner::pass_barrier() {
   clock_.start(hosts_->start());
 }
 
-HostListener Runner::host_listener(Outputs& outputs) {
+HostListener Runner::host_listener() {
   HostListener listener;
   listener.message = [this](const std::string& line) { progress_.message(line); };
   listener.lost = [this](const std::string& name, int exit_code, const std::string& how) {
     supervisor_.process_lost(name, exit_code, how);
   };
   listener.failed = [this](process::ExitCode code, const std::string& reason) { supervisor_.fail(code, reason); };
-  listener.trace = [parts = outputs.parts()](const std::string& name, const std::string& line) {
-    if (parts != nullptr) parts->take(name, line);
+  listener.step = [this](const std::string& name, recording::RecordedStep step) {
+    if (recorder_) recorder_->take(name, std::move(step));
   };
-  listener.last_step = [this](const std::string& name, const std::string& line) { black_boxes_.take(name, line); };
+  listener.steps_end = [this](const std::string& name, const recording::StepCounts& counts) {
+    if (recorder_) recorder_->take_end(name, counts);
+  };
+  listener.last_step = [this](const std::string& name, recording::RecordedStep step) {
+    black_boxes_.take(name, std::move(step));
+  };
   return listener;
 }
 
 AgentOrder Runner::common_order() const {
   AgentOrder order;
   order.domain = domain_lock_.domain();
-  order.trace = !options_.trace.empty();
+  order.record = recorder_.has_value();
   order.black_box = !options_.black_box.empty();
   if (!options_.motion.empty()) order.motion = std::filesystem::absolute(options_.motion);
   return order;

@@ -58,11 +58,9 @@ class Runner {
   void not_ready_in_time(const std::string& missing);
   void end_processes();
   /// Callbacks for reports of other hosts.
-  HostListener host_listener(Outputs& outputs);
-  /// Writes the trace; if it is incomplete, the reason becomes the reason of the run's failure.
-  void join_trace(Outputs& outputs);
+  HostListener host_listener();
   /// Closes the recording; if it is incomplete, the reason becomes the reason of the run's failure.
-  void close_recording();
+  void close_recording(Outputs& outputs);
   /// The run's failure, or after another one only a message: an output is incomplete.
   void fail_by_output(process::ExitCode code, const std::string& reason);
   /// The part of the order that is the same for all other hosts.

@@ -66,8 +66,8 @@ void shut_down(ProcessGroup& group, clock::ClockHost& clock, bool started, const
 
 void shut_down(RemoteHosts& hosts, const ShutdownListener& listener) {
   const std::int64_t begin = clock::monotonic_ns();
-  // no timeout: the time to write a trace is not known
-  const auto patient = [&] { return clock::monotonic_ns() < std::max(begin, hosts.traced_at()) + kPatienceWithHosts; };
+  // no timeout: the time to send the steps is not known
+  const auto patient = [&] { return clock::monotonic_ns() < std::max(begin, hosts.step_at()) + kPatienceWithHosts; };
   while (!hosts.all_ended() && patient() && !listener.hurried()) listener.turn();
   for (const std::string& name : hosts.kill_rest())
     listener.message("host " + name + ": its agent does not end, killing the command that started it");

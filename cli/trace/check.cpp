@@ -13,8 +13,8 @@ constexpr std::size_t kDeferred = 100;  // kept violations of a process that its
 
 class Check {
  public:
-  Check(const std::filesystem::path& file, Reader reader, const std::function<void(const std::string&)>& report)
-      : name_(file.filename().string()), reader_(std::move(reader)), report_(report), rules_(all_rules()) {
+  Check(const std::filesystem::path& file, const std::function<void(const std::string&)>& report)
+      : name_(file.filename().string()), reader_(file), report_(report), rules_(all_rules()) {
     memory_.simulated = reader_.simulated();
     memory_.black_box = reader_.black_box();
     verdict_.rules = rules_.size();
@@ -58,11 +58,11 @@ class Check {
     settle(found, remark.process);
     if (remark.dropped != 0) {
       note(remark.number, words("process ", remark.process, " has dropped ", remark.dropped,
-                                " lines: missing steps are not a violation"));
+                                " steps: missing ones are not a violation"));
       deferred_.erase(remark.process);
     }
     if (remark.cut != 0)
-      note(remark.number, words(remark.cut, " lines of process ", remark.process, " were too long and not looked at"));
+      note(remark.number, words(remark.cut, " steps of process ", remark.process, " were too long and not looked at"));
     tell_deferred(remark.process);
   }
 
@@ -78,6 +78,7 @@ class Check {
     }
     verdict_.lines = memory_.lines;
     verdict_.instructions = memory_.instructions;
+    verdict_.complete = reader_.complete();
   }
 
   void settle(const std::vector<Violation>& found, const std::string& process) {
@@ -117,12 +118,7 @@ class Check {
 }  // namespace
 
 Verdict check_trace(const std::filesystem::path& file, const std::function<void(const std::string&)>& report) {
-  return Check(file, Reader(file), report).run();
-}
-
-Verdict check_trace(const std::filesystem::path& name, std::string text,
-                    const std::function<void(const std::string&)>& report) {
-  return Check(name, Reader(name, std::move(text)), report).run();
+  return Check(file, report).run();
 }
 
 std::string text_of_rules() {

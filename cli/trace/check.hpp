@@ -15,19 +15,16 @@ struct Verdict {
   std::size_t processes = 0;       ///< that have moved or waited
   std::size_t rules = 0;           ///< that were checked
   std::uint64_t violations = 0;
-  /// Notes about a killed process or dropped lines, which are not violations but leave something open. With the file
-  /// and the line.
+  /// Notes about a killed process or dropped steps, which are not violations but leave something open. With the file
+  /// and the message.
   std::vector<std::string> notes;
+  bool complete = false;  ///< the run has closed the recording: it was not killed
 };
 
-/// Reads a trace once, line by line, and checks every line with every rule. `report` receives each violation as soon as
-/// it is certain, as "FILE:LINE: rule: found, expected ...". Memory does not grow with the trace's length. Throws
-/// std::runtime_error when the file cannot be read or a line does not follow the format.
+/// Reads a recording once, step by step, and checks every step with every rule. `report` receives each violation as
+/// soon as it is certain, as "FILE:MESSAGE: rule: found, expected ..."; messages count from 1. Memory does not grow
+/// with the length of the recording. Throws std::runtime_error when the file cannot be read or a message is wrong.
 Verdict check_trace(const std::filesystem::path& file, const std::function<void(const std::string&)>& report);
-
-/// The same of a trace in memory; `name`: of its file in messages.
-Verdict check_trace(const std::filesystem::path& name, std::string text,
-                    const std::function<void(const std::string&)>& report);
 
 /// Every rule with the equation it states, one per line.
 std::string text_of_rules();

@@ -1,5 +1,6 @@
 #include "cli/trace/diff.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <deque>
@@ -8,13 +9,11 @@
 #include <variant>
 #include <vector>
 
-#include "cli/trace/format_line.hpp"
-
 namespace mrroc::cli::trace {
 
 namespace {
 
-/// The fields of a step in the order of its line: name, value.
+/// The fields of a step: name, value.
 class FieldList {
  public:
   void add(std::string name, std::string value) { fields_.emplace_back(std::move(name), std::move(value)); }
@@ -94,6 +93,7 @@ FieldList fields_of(const Line& line) {
     fields.add("condition \"" + condition.name + "\"", std::string{condition.value ? "1" : "0"});
   fields.add("ending", static_cast<std::uint64_t>(line.ending));
   fields.add("skew", line.skew ? std::to_string(*line.skew) : "missing");
+  fields.add("too long", yes_or_no(line.cut));
   return fields;
 }
 
@@ -102,19 +102,18 @@ std::string place_of(const Line& line) {
          "), step " + std::to_string(line.step) + ", tick " + std::to_string(line.tick);
 }
 
-/// Of two lines that are not equal.
-Difference difference_of(const Line& first, const Line& second) {
+/// Nothing: all fields are equal.
+std::optional<Difference> difference_of(const Line& first, const Line& second) {
   const FieldList one = fields_of(first), other = fields_of(second);
-  for (std::size_t i = 0;; ++i) {
+  for (std::size_t i = 0; i < std::max(one.all().size(), other.all().size()); ++i) {
     const bool in_one = i < one.all().size(), in_other = i < other.all().size();
-    if (!in_one && !in_other) break;
     if (in_one && in_other && one.all()[i] == other.all()[i]) continue;
     const std::string name = in_one ? one.all()[i].first : other.all()[i].first;
     const bool same = in_one && in_other && one.all()[i].first == other.all()[i].first;
-    return {place_of(first), name, in_one ? one.all()[i].second : "missing",
-            same ? other.all()[i].second : std::string{"missing"}};
+    return Difference{place_of(first), name, in_one ? one.all()[i].second : "missing",
+                      same ? other.all()[i].second : std::string{"missing"}};
   }
-  return {place_of(first), "text", format_line(first), format_line(second)};  // a line that was too long
+  return std::nullopt;
 }
 
 /// Steps of one trace that wait for those of the other.
@@ -152,10 +151,8 @@ Comparison compare(Reader& first, Reader& second) {
     for (const std::string& name : {process, also}) {
       std::deque<Line>&a = ones[name], &b = others[name];
       for (; !a.empty() && !b.empty(); a.pop_front(), b.pop_front()) {
-        if (format_line(a.front()) != format_line(b.front())) {
-          comparison.difference = difference_of(a.front(), b.front());
-          return comparison;
-        }
+        comparison.difference = difference_of(a.front(), b.front());
+        if (comparison.difference) return comparison;
         ++comparison.steps;
       }
     }

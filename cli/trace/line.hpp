@@ -12,7 +12,7 @@ namespace mrroc::cli::trace {
 
 using Numbers = std::vector<double>;
 
-/// `command=` of a robot: e^{i+1}.
+/// A command of a robot: e^{i+1}.
 struct CommandEntry {
   CommandKind kind = CommandKind::hold;  ///< `set_tool` represents every change of the robot itself
   bool relative = false;
@@ -26,7 +26,7 @@ struct CommandEntry {
   bool operator==(const CommandEntry&) const = default;
 };
 
-/// `robot=` and what follows it: e^i. Units and frames are those of RobotState.
+/// A robot's state e^i, and what it is commanded. Units and frames are those of RobotState.
 struct RobotEntry {
   std::string name;
   Tick tick = 0;
@@ -47,7 +47,7 @@ struct RobotEntry {
 
 enum class SensorMode { interactive, polled, published };
 
-/// `sensor=` and what follows it: v^i.
+/// A reading of a sensor: v^i.
 struct SensorEntry {
   std::string name;
   Tick tick = 0;
@@ -68,11 +68,12 @@ struct ConditionEntry {
   bool value = false;
 };
 
-/// One line of a trace: a step of a Move or Wait. docs/reference/trace.md describes the fields.
+/// A step of a Move or Wait in a recording. src/messages/msg/mrroc_msgs/msg/Step.msg describes the fields.
 struct Line {
-  std::size_t number = 0;  ///< in the file, from 1
-  bool cut = false;        ///< it was too long: fields after `step` are incomplete
-  Tick tick = 0;
+  std::size_t number = 0;  ///< of its message in the file, from 1
+  bool cut = false;        ///< it was too long: robots, sensors, conditions and ending are missing
+  Tick made = 0;           ///< at which the process made it: the time of its message
+  Tick tick = 0;           ///< the newest of its states and readings
   std::string process;
   std::uint64_t instruction = 0;
   bool is_move = false;

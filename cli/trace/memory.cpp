@@ -100,9 +100,8 @@ void Memory::take(const Line& line) {
   ++lines;
   ++process.lines;
   process.last_line = line.number;
-  process.newest = std::max(process.newest, line.tick);
   last_process = line.process;
-  last_newest = process.newest;
+  last_made = line.made;
   const bool begins = line.instruction > process.last_instruction || began_before(line);
   if (begins) {
     process.last_instruction = std::max(process.last_instruction, line.instruction);

@@ -23,7 +23,6 @@ struct ProcessMemory {
   std::uint64_t lines = 0;
   std::size_t last_line = 0;           ///< number in the file
   std::uint64_t last_instruction = 0;  ///< greatest that has begun
-  Tick newest = 0;                     ///< greatest tick of a line
   std::map<std::uint64_t, InstructionMemory> open;
   std::map<std::string, RobotEntry> robots;    ///< last state, without the command
   std::map<std::string, SensorEntry> sensors;  ///< last reading
@@ -59,7 +58,7 @@ struct Memory {
   std::uint64_t lines = 0;
   std::uint64_t instructions = 0;
   std::string last_process;  ///< of the line before
-  Tick last_newest = 0;      ///< its `ProcessMemory::newest`
+  Tick last_made = 0;        ///< its `made`
   std::map<std::string, ProcessMemory> processes;
   std::map<std::string, RobotMemory> robots;
 

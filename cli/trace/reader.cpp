@@ -1,90 +1,70 @@
 #include "cli/trace/reader.hpp"
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <limits>
-#include <sstream>
-#include <utility>
+#include <stdexcept>
 
-#include "cli/output/trace.hpp"
-#include "cli/trace/parse_line.hpp"
+#include "cli/trace/malformed.hpp"
+#include "cli/trace/step_line.hpp"
 #include "config/clock_names.hpp"
-#include "core/text_lines.hpp"
-#include "process/record/text_line.hpp"
+#include "core/number_text.hpp"
+#include "core/shown_text.hpp"
+#include "messages/mrroc_msgs/process_end.hpp"
+#include "recording/recording_writer.hpp"
 
 namespace mrroc::cli::trace {
 
 namespace {
 
-Remark parse_remark(std::string_view text) {
-  Fields fields(text);
-  Remark remark;
-  fields.expect("# process=", "remark");
-  remark.process = fields.name("process");
-  fields.expect(" lines=", "remark");
-  remark.lines = fields.count("lines");
-  fields.expect(" dropped=", "remark");
-  remark.dropped = fields.count("dropped");
-  fields.expect(" cut=", "remark");
-  remark.cut = fields.count("cut");
-  if (!fields.at_end()) throw Malformed("remark", text, "nothing behind 'cut'");
-  return remark;
-}
+using messages::mrroc_msgs::ProcessEnd;
+using StepMessage = messages::mrroc_msgs::Step;
 
 }  // namespace
 
-Reader::Reader(std::filesystem::path file) : Reader(file, std::make_unique<std::ifstream>(file, std::ios::binary)) {}
-
-Reader::Reader(std::filesystem::path name, std::string text)
-    : Reader(std::move(name), std::make_unique<std::istringstream>(std::move(text))) {}
-
-Reader::Reader(std::filesystem::path path, std::unique_ptr<std::istream> stream)
-    : path_(std::move(path)), file_(std::move(stream)) {
-  if (!*file_) throw std::runtime_error("cannot read the trace " + path_.string() + ": " + std::strerror(errno));
-  const bool known = read() && text_.starts_with(kTraceHeader);
-  std::string clock = known ? text_.substr(kTraceHeader.size()) : "";
-  black_box_ = clock.ends_with(process::kBlackBoxMark);
-  if (black_box_) clock.resize(clock.size() - process::kBlackBoxMark.size());
-  simulated_ = clock != "real";
-  if (!config::clock_named(clock))
-    throw std::runtime_error(path_.string() + ":1: is not a trace, expected the line \"" + std::string{kTraceHeader} +
-                             "...\", the clock real, paced or lockstep");
-}
-
-bool Reader::read() {
-  if (!std::getline(*file_, text_)) {
-    if (file_->bad()) throw std::runtime_error("cannot read the trace " + path_.string() + ": " + std::strerror(errno));
-    return false;
-  }
-  ++number_;
-  try {
-    // the writer's own bound on the length is checked below
-    constexpr std::size_t kAnyLength = std::numeric_limits<std::size_t>::max();
-    const std::string_view content = core::content_of_line(text_, static_cast<int>(number_), kAnyLength);
-    text_ = std::string(content.substr(0, content.find_last_not_of(" \t") + 1));
-  } catch (const core::TextError& error) {
-    throw std::runtime_error(path_.string() + ":" + std::to_string(number_) + ": " + error.what());
-  }
-  return true;
+Reader::Reader(const std::filesystem::path& file) : path_(file), recording_(file) {
+  const auto& metadata = recording_.metadata();
+  const auto clock = metadata.find("clock");
+  const std::string name = clock == metadata.end() ? "" : clock->second;
+  if (!config::clock_named(name))
+    throw std::runtime_error(file.string() + ": metadata clock: '" + core::shown(name) +
+                             "', expected real, paced or lockstep");
+  const auto period = metadata.find("servo_period");
+  const auto seconds = period == metadata.end() ? std::nullopt : core::to_double(period->second);
+  if (!seconds || !(*seconds > 1e-9))
+    throw std::runtime_error(file.string() + ": metadata servo_period: '" +
+                             core::shown(period == metadata.end() ? "" : period->second) + "', expected seconds");
+  period_ = recording::nanoseconds_of(*seconds);
+  simulated_ = name != "real";
+  last_seconds_ = metadata.contains(recording::kLast);
+  black_box_ = last_seconds_ || metadata.contains(recording::kBlackBox);
 }
 
 std::variant<std::monostate, Line, Remark> Reader::next() {
-  if (!read()) return {};
-  try {
-    if (text_.size() > process::TextLine::kCapacity)
-      throw Malformed("line", text_, "at most " + std::to_string(process::TextLine::kCapacity) + " characters");
-    if (text_.starts_with('#')) {
-      Remark remark = parse_remark(text_);
-      remark.number = number_;
-      return remark;
+  while (const auto message = recording_.next()) try {
+      ++number_;
+      if (message->type == StepMessage::kType) {
+        Line line = to_line(messages::from_cdr<StepMessage>(message->cdr));
+        line.number = number_;
+        line.made = message->time / period_;
+        ++steps_[line.process];
+        return line;
+      }
+      if (message->type == ProcessEnd::kType) return remark_of(*message);
+    } catch (const std::runtime_error& error) {
+      throw std::runtime_error(path_.string() + ":" + std::to_string(number_) + ": " + error.what());
     }
-    Line line = parse_line(text_, process::TextLine::kCapacity);
-    line.number = number_;
-    return line;
-  } catch (const Malformed& malformed) {
-    throw std::runtime_error(path_.string() + ":" + std::to_string(number_) + ": " + malformed.what());
-  }
+  return {};
+}
+
+Remark Reader::remark_of(const recording::RecordedMessage& message) const {
+  const auto end = messages::from_cdr<ProcessEnd>(message.cdr);
+  const auto found = steps_.find(end.process);
+  Remark remark;
+  remark.number = number_;
+  remark.process = end.process;
+  // of the last seconds the recording has fewer than the process has made
+  remark.lines = !last_seconds_ ? end.steps : found == steps_.end() ? 0 : found->second;
+  remark.dropped = end.dropped;
+  remark.cut = end.cut;
+  return remark;
 }
 
 }  // namespace mrroc::cli::trace

@@ -1,50 +1,51 @@
 #pragma once
 
 #include <filesystem>
-#include <istream>
-#include <memory>
+#include <map>
 #include <string>
 #include <variant>
 
 #include "cli/trace/line.hpp"
+#include "recording/recording_reader.hpp"
 
 namespace mrroc::cli::trace {
 
-/// The remark "# process=arm lines=463 dropped=0 cut=0" below a process's last line.
+/// The end of a process's steps: mrroc_msgs/msg/ProcessEnd.
 struct Remark {
-  std::size_t number = 0;  ///< of its line in the file, from 1
+  std::size_t number = 0;  ///< of its message in the file, from 1
   std::string process;
-  std::uint64_t lines = 0;    ///< that the process has written
-  std::uint64_t dropped = 0;  ///< that it has not written, because the disk was slow
+  std::uint64_t lines = 0;    ///< steps that the process has passed on
+  std::uint64_t dropped = 0;  ///< that it has not, because the disk was slow
   std::uint64_t cut = 0;      ///< of `lines`: too long, the rest is missing
 };
 
-/// Reads a trace line by line, at any size: one line is in memory at a time.
+/// Reads the steps of a recording one by one, at any size: one chunk of the file is in memory at a time. One thread.
 class Reader {
  public:
-  /// Throws std::runtime_error when the file cannot be read or is not a trace.
-  explicit Reader(std::filesystem::path file);
-  /// Reads the text of a trace. `name`: of the file in messages. Throws as the other one.
-  Reader(std::filesystem::path name, std::string text);
+  /// Throws std::runtime_error when the file cannot be read or is not a recording.
+  explicit Reader(const std::filesystem::path& file);
 
-  /// Whether the trace was written under a simulated clock: lockstep or paced, not real.
+  /// Whether the run was under a simulated clock: lockstep or paced, not real.
   bool simulated() const noexcept { return simulated_; }
-  /// Whether the trace is a black box: the last lines of a process, without the earlier ones.
+  /// Whether the recording has the last steps or seconds only, without the earlier ones.
   bool black_box() const noexcept { return black_box_; }
-  /// The next line or remark; nothing (std::monostate) at the end. Throws std::runtime_error "FILE:LINE: field ..."
-  /// when it does not follow the format.
+  /// The next step or end of a process; nothing (std::monostate) at the end. Throws std::runtime_error "FILE:MESSAGE:
+  /// field ..." when a message is not one of a step.
   std::variant<std::monostate, Line, Remark> next();
+  /// At the end: the run has closed the recording. False: it was killed, or the disk was full.
+  bool complete() const noexcept { return recording_.complete(); }
 
  private:
-  Reader(std::filesystem::path path, std::unique_ptr<std::istream> stream);
-  bool read();
+  Remark remark_of(const recording::RecordedMessage& message) const;
 
   std::filesystem::path path_;
-  std::unique_ptr<std::istream> file_;
-  std::string text_;
+  recording::RecordingReader recording_;
   std::size_t number_ = 0;
+  std::uint64_t period_ = 1;  // of the servo, ns
   bool simulated_ = true;
   bool black_box_ = false;
+  bool last_seconds_ = false;
+  std::map<std::string, std::uint64_t> steps_;  // so far, by process
 };
 
 }  // namespace mrroc::cli::trace

@@ -1,4 +1,4 @@
-// The file itself: its lines and their order.
+// The file itself: its steps and their order.
 #include <algorithm>
 #include <tuple>
 
@@ -9,18 +9,19 @@ namespace mrroc::cli::trace {
 
 namespace {
 
+/// Under the real clock the recording does not wait for a step that comes late.
 void line_order(const Step& step, Findings& findings) {
-  const Tick newest = std::max(step.line.tick, step.process == nullptr ? 0 : step.process->newest);
-  if (std::tie(newest, step.line.process) >= std::tie(step.memory.last_newest, step.memory.last_process)) return;
-  findings.add(words("tick ", newest, " of process ", step.line.process),
-               words("a line not before tick ", step.memory.last_newest, " of process ", step.memory.last_process));
+  const auto& [line, memory] = std::tie(step.line, step.memory);
+  if (!memory.simulated || std::tie(line.made, line.process) >= std::tie(memory.last_made, memory.last_process)) return;
+  findings.add(words("tick ", line.made, " of process ", line.process),
+               words("a step not before tick ", memory.last_made, " of process ", memory.last_process));
 }
 
 void line_tick(const Step& step, Findings& findings) {
   Tick newest = 0;
   for (const RobotEntry& robot : step.line.robots) newest = std::max(newest, robot.tick);
   for (const SensorEntry& sensor : step.line.sensors) newest = std::max(newest, sensor.tick);
-  if (step.line.tick != newest) findings.add(words("tick=", step.line.tick), words(newest, ", the newest in the line"));
+  if (step.line.tick != newest) findings.add(words("tick=", step.line.tick), words(newest, ", the newest in the step"));
 }
 
 /// Ticks and counts of the robots of one process never decrease.
@@ -64,20 +65,20 @@ void every_line(const Remark& remark, const Memory& memory, Findings& findings) 
   const ProcessMemory* process = memory.process(remark.process);
   const std::uint64_t lines = process == nullptr ? 0 : process->lines;
   if (lines != remark.lines)
-    findings.add(words(lines, " lines of process ", remark.process),
-                 words(remark.lines, ", as many as it has written"));
+    findings.add(words(lines, " steps of process ", remark.process),
+                 words(remark.lines, ", as many as it has passed on"));
   if (memory.simulated && remark.dropped != 0)
-    findings.add(words(remark.dropped, " dropped lines"), "none: a simulated clock waits for the trace");
+    findings.add(words(remark.dropped, " dropped steps"), "none: a simulated clock waits for the recording");
 }
 
 }  // namespace
 
 Rules rules_of_lines() {
-  return {{"line-order", "trace", "lines are ordered by tick, then process", line_order},
-          {"line-tick", "trace", "tick= is the newest tick of the line's robots and sensors", line_tick},
+  return {{"line-order", "trace", "steps are in the order in which they were made, by tick, then process", line_order},
+          {"line-tick", "trace", "tick is the newest one of the step's robots and sensors", line_tick},
           {"ticks-go-on", "trace", "ticks and late counts of a process's robots never decrease", ticks_go_on},
           {"readings-go-on", "trace", "no reading is older than the instruction's one before", readings_go_on},
-          {"every-line", "trace", "every line that a process has written is there", nullptr, every_line}};
+          {"every-line", "trace", "every step that a process has passed on is there", nullptr, every_line}};
 }
 
 }  // namespace mrroc::cli::trace

@@ -13,7 +13,7 @@ using namespace canopen;
 using can::BusError;
 
 constexpr double kBetweenStops = 0.1;  // s
-constexpr int kLateFrames = 10000;  // at most, taken after a deadline: a babbling node must not stop the servo
+constexpr int kLateFrames = 10000;     // at most, taken after a deadline: a babbling node must not stop the servo
 
 std::int64_t ns(double seconds) { return std::llround(seconds * 1e9); }
 

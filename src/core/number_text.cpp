@@ -84,6 +84,29 @@ std::string hexadecimal(std::uint64_t value) {
   return text;
 }
 
+std::string hexadecimal(std::span<const std::byte> bytes) {
+  std::string text;
+  text.reserve(2 * bytes.size());
+  for (const std::byte byte : bytes) {
+    text += "0123456789abcdef"[std::to_integer<unsigned>(byte) >> 4];
+    text += "0123456789abcdef"[std::to_integer<unsigned>(byte) & 15U];
+  }
+  return text;
+}
+
+std::optional<std::vector<std::byte>> bytes_of_hexadecimal(std::string_view text) {
+  if (text.size() % 2 != 0) return std::nullopt;
+  std::vector<std::byte> bytes;
+  bytes.reserve(text.size() / 2);
+  for (; !text.empty(); text.remove_prefix(2)) {
+    std::uint8_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + 2, value, 16);
+    if (error != std::errc{} || end != text.data() + 2) return std::nullopt;
+    bytes.push_back(std::byte{value});
+  }
+  return bytes;
+}
+
 std::string number_problem(std::string_view text) {
   if (text.empty()) return "is empty";
   if (const auto odd = odd_character(text)) return "has " + odd->text + " at character " + std::to_string(odd->column);

@@ -1,10 +1,13 @@
 #pragma once
 
 #include <charconv>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 /// Numbers written by people in files and on the command line, the same in every locale. Pure functions; any thread.
 namespace mrroc::core {
@@ -40,6 +43,10 @@ std::optional<std::uint64_t> to_literal(std::string_view text) noexcept;
 
 /// The sixteen lower-case hexadecimal digits of `value`.
 std::string hexadecimal(std::uint64_t value);
+/// Two lower-case digits for each byte.
+std::string hexadecimal(std::span<const std::byte> bytes);
+/// The bytes of such a text, of digits in either case. Nothing: it is not one.
+std::optional<std::vector<std::byte>> bytes_of_hexadecimal(std::string_view text);
 
 /// Why `text` is not the number that was expected: "is empty", "has a decimal comma", "has U+00A0 at character 3", or
 /// "is not a number". Only for texts that one of the functions above refused.

@@ -19,8 +19,6 @@ std::vector<std::string> to_command_line(const Arguments& arguments) {
   };
   if (arguments.world_fd >= 0) add("--world-fd", std::to_string(arguments.world_fd));
   if (arguments.deployment_fd >= 0) add("--deployment-fd", std::to_string(arguments.deployment_fd));
-  if (!arguments.trace.empty()) add("--trace", arguments.trace.string());
-  if (arguments.trace_fd >= 0) add("--trace-fd", std::to_string(arguments.trace_fd));
   if (arguments.record_fd >= 0) add("--record-fd", std::to_string(arguments.record_fd));
   if (!arguments.behaviours.empty()) add("--behaviours-of-programs", arguments.behaviours);
   if (!arguments.black_box.empty()) add("--black-box", arguments.black_box.string());
@@ -37,7 +35,7 @@ std::vector<std::string> to_command_line(const Arguments& arguments) {
 
 std::vector<int> Arguments::descriptors() const {
   std::vector<int> handed;
-  for (const int fd : {clock_fd, world_fd, black_box_fd, deployment_fd, trace_fd, motion_fd, record_fd})
+  for (const int fd : {clock_fd, world_fd, black_box_fd, deployment_fd, motion_fd, record_fd})
     if (fd >= 0) handed.push_back(fd);
   return handed;
 }
@@ -53,8 +51,6 @@ std::optional<Arguments> parse_arguments(int argc, char** argv) {
   app.add_option("--world-fd", arguments.world_fd);
   app.add_option("--domain", arguments.domain)->required();
   app.add_option("--deployment-fd", arguments.deployment_fd);
-  app.add_option("--trace", arguments.trace);
-  app.add_option("--trace-fd", arguments.trace_fd);
   app.add_option("--record-fd", arguments.record_fd);
   app.add_option("--behaviours-of-programs", arguments.behaviours);
   app.add_option("--black-box", arguments.black_box);

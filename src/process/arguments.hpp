@@ -11,15 +11,13 @@ namespace mrroc::process {
 /// The command line with which the runner starts a process: written by `to_command_line`, read by `parse_arguments`.
 struct Arguments {
   std::filesystem::path deployment;
-  int deployment_fd = -1;       ///< its text, read by the runner (memfd, inherited); -1: in the file
-  std::string name;             ///< of the process, e.g. `arm` (ECP), `arm_edp`, `wrist`
-  int clock_fd = -1;            ///< memory of the clock (memfd, inherited)
-  int world_fd = -1;            ///< memory of the simulated world; -1: no simulator
-  int domain = 0;               ///< DDS domain
-  std::filesystem::path trace;  ///< name of the trace in messages; empty: no trace
-  int trace_fd = -1;            ///< the file for this process's part of it (inherited)
-  int record_fd = -1;           ///< memory that carries its steps (StepRing) or servo ticks to the recording; -1: none
-  std::string behaviours;       ///< of every ECP program, for the MP of a state machine (config::ProgramsByRobot)
+  int deployment_fd = -1;  ///< its text, read by the runner (memfd, inherited); -1: in the file
+  std::string name;        ///< of the process, e.g. `arm` (ECP), `arm_edp`, `wrist`
+  int clock_fd = -1;       ///< memory of the clock (memfd, inherited)
+  int world_fd = -1;       ///< memory of the simulated world; -1: no simulator
+  int domain = 0;          ///< DDS domain
+  int record_fd = -1;      ///< memory that carries its steps (StepRing) or servo ticks to the recording; -1: none
+  std::string behaviours;  ///< of every ECP program, for the MP of a state machine (config::ProgramsByRobot)
   std::filesystem::path black_box;  ///< folder for the black box of a task that fails; empty: not written
   int black_box_fd = -1;            ///< memory of its last steps (SharedBlackBox, inherited); -1: not kept
   std::filesystem::path snapshots;  ///< folder for world snapshots (sim only); may be empty

@@ -2,13 +2,23 @@
 
 #include <cmath>
 #include <cstdio>
+#include <fstream>
+#include <iterator>
 
 #include "mrroc/stopped.hpp"
 #include "process/record/black_box_file.hpp"
+#include "process/record/text_memory.hpp"
 
 namespace mrroc::process {
 
 namespace {
+
+/// As the runner has read it; on another host, as the process has.
+std::string deployment_text(const Arguments& arguments) {
+  if (arguments.deployment_fd >= 0) return read_text(arguments.deployment_fd);
+  std::ifstream file(arguments.deployment);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
 
 std::string names_of(const std::vector<std::string>& names) {
   std::string text;
@@ -184,8 +194,10 @@ std::string TaskProcess::save_black_box(const Error* error) const try {
   const BlackBox& box = error != nullptr && error->black_box() != nullptr ? *error->black_box() : black_box();
   const std::filesystem::path& folder = process_.arguments().black_box;
   if (folder.empty() || box.empty()) return "";
+  const config::Deployment& deployment = process_.deployment();
   const std::uint64_t number =
-      write_black_box(folder, box, process_.deployment(), process_name(), process_.clock().simulated());
+      write_black_box(folder, encoded(box, deployment, process_name()), deployment,
+                      deployment_text(process_.arguments()), process_name(), process_.clock().simulated());
   if (const int fd = process_.arguments().black_box_fd; fd >= 0) SharedBlackBox::attach(fd).note_file(number);
   return "; black box: " + black_box_path(folder, process_.deployment(), process_name(), number).string();
 } catch (const std::exception& failure) {

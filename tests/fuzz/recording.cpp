@@ -1,9 +1,10 @@
-// The reader of recordings over a file of any content: as JSON, and as a trace with every rule of `mrroc trace check`.
+// The reader of recordings over a file of any content: as JSON, and with every rule of `mrroc trace check`, and hashed.
 #include <stdexcept>
 #include <string>
 
-#include "cli/record/recording_text.hpp"
+#include "cli/record/recording_json.hpp"
 #include "cli/trace/check.hpp"
+#include "cli/trace/hash.hpp"
 #include "fuzz/fuzz.hpp"
 #include "fuzz/memory_file.hpp"
 
@@ -17,10 +18,14 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     });
   });
   fuzz::refuses<std::runtime_error>([&] {
-    const std::string text = mrroc::cli::record::trace_of(path).text;
-    fuzz::require(text.starts_with("# mrroc trace 2 clock="), "a trace has its first line");
-    mrroc::cli::trace::check_trace(
-        path, text, [](const std::string& violation) { fuzz::require(!violation.empty(), "a violation has a text"); });
+    std::size_t reports = 0;
+    const auto verdict = mrroc::cli::trace::check_trace(path, [&reports](const std::string& violation) {
+      fuzz::require(!violation.empty(), "a violation has a text");
+      ++reports;
+    });
+    fuzz::require(verdict.violations >= reports, "every reported violation is counted");
   });
+  fuzz::refuses<std::runtime_error>(
+      [&] { fuzz::require(mrroc::cli::trace::hash_of(path).text.size() == 16, "a hash has 16 digits"); });
   return 0;
 }

@@ -98,7 +98,7 @@ test('ReadOnlyBrowsersMayOnlyReadTheStatus', async () => {
     { verb: 'estop' },
     { verb: 'start' },
     { verb: 'command' },
-    { verb: 'record', file: 'watched.trace' },
+    { verb: 'record', file: 'watched.mcap' },
     { verb: 'jog', robot: 'arm', axis: 'column', velocity: 0.1, beat: watcher.beat ?? 0 },
   ];
   for (const request of requests) assert.equal((await watcher.request(request)).reason, 'read_only', request.verb);
@@ -120,8 +120,8 @@ test('BadRequestsAreAnsweredWithAReason', async () => {
   assert.match((await refused('{"verb":"paus"}')).text, /did you mean 'pause'/);
   assert.equal((await refused('{"verb":"jog","robot":"arm","axis":"column","velocity":0.1}')).reason, 'stale');
   assert.equal((await refused('{"verb":"jog","robot":"arm","axis":"column","velocity":0.1,"beat":1}')).reason, 'stale');
-  assert.match((await refused('{"verb":"record","file":"/tmp/a.trace"}')).text, /cannot choose the folder/);
-  assert.match((await refused('{"verb":"record","file":"../a.trace"}')).text, /cannot choose the folder/);
+  assert.match((await refused('{"verb":"record","file":"/tmp/a.mcap"}')).text, /cannot choose the folder/);
+  assert.match((await refused('{"verb":"record","file":"../a.mcap"}')).text, /cannot choose the folder/);
   assert.equal((await refused(JSON.stringify({ verb: 'x'.repeat(20_000) })))?.reason ?? 'malformed', 'malformed');
   assert.equal((await run.status()).task, 'held');
   browser.close();

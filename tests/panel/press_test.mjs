@@ -35,7 +35,7 @@ test('TaskIsStartedPausedResumedAndStoppedByThePage', async () => {
     await page.click('#tab-messages');
     await page.click('[data-verb="record"]:not([aria-disabled])');
     await await_answer(page, `black box: ${run.folder}/press_`);
-    const [, recorded] = /black box: (\S+\.trace)/.exec(await page.textContent('#answer'));
+    const [, recorded] = /black box: (\S+\.mcap)/.exec(await page.textContent('#answer'));
     await await_shown(page, '#messages .hint', recorded);
     assert.match(run.command('trace', 'check', recorded).text, /rules hold/);
     await press_verb(page, 'resume');

@@ -20,8 +20,6 @@ TEST(Arguments, CommandLineReadsBack) {
                             3,
                             4,
                             17,
-                            "t.arm",
-                            7,
                             9,
                             "left on Go x:number:8\nleft tells Here\n",
                             "boxes",
@@ -40,10 +38,8 @@ TEST(Arguments, CommandLineReadsBack) {
   EXPECT_EQ(read.world_fd, 4);
   EXPECT_EQ(read.domain, 17);
   EXPECT_EQ(read.deployment_fd, 6);
-  EXPECT_EQ(read.trace_fd, 7);
   EXPECT_EQ(read.record_fd, 9);
   EXPECT_EQ(read.motion_fd, 8);
-  EXPECT_EQ(read.trace, arguments.trace);
   EXPECT_EQ(read.behaviours, arguments.behaviours);
   EXPECT_EQ(read.black_box, arguments.black_box);
   EXPECT_EQ(read.black_box_fd, 5);
@@ -53,7 +49,7 @@ TEST(Arguments, CommandLineReadsBack) {
   EXPECT_EQ(read.interface, "eth1");
   EXPECT_EQ(read.peers, arguments.peers);
   EXPECT_EQ(read.keys, arguments.keys);
-  EXPECT_EQ(read.descriptors(), (std::vector<int>{3, 4, 5, 6, 7, 8, 9}));
+  EXPECT_EQ(read.descriptors(), (std::vector<int>{3, 4, 5, 6, 8, 9}));
 }
 
 TEST(Arguments, ProgramExplainsItsUsageWithoutTheRunner) {

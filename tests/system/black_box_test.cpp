@@ -1,10 +1,9 @@
 // The last steps of a killed task, and of the tasks that end because of it, are on disk.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
+#include "cli/trace/trace_steps.hpp"
 #include "system/mrroc_run.hpp"
-#include "system/trace_line.hpp"
+#include "system/trace_steps_of.hpp"
 
 namespace mrroc::test::black_box_test {
 namespace {
@@ -24,16 +23,19 @@ class BlackBoxOfADeath : public testing::Test {
 };
 
 TEST_F(BlackBoxOfADeath, HasTheStepsOfAKilledTaskUpToItsDeath) {
-  const std::filesystem::path box = boxes() / "press-arm.trace", whole = folder_.path() / "press.trace";
+  const std::filesystem::path box = boxes() / "press-arm.mcap", whole = folder_.path() / "press.mcap",
+                              part = folder_.path() / "part.mcap";
   const std::string reported = run("tasks/press/press.toml", "kill ecp:arm at step 120");
   EXPECT_NE(reported.find("black box: " + box.string() + "\n"), std::string::npos) << reported;
   expect_laws(box);
-  run_mrroc({"run", "tasks/press/press.toml", "--trace", whole.string()}, 0);
-  const auto kept = lines_with(box, " process=arm "), all = lines_with(whole, " process=arm ");
-  EXPECT_FALSE(std::filesystem::exists(boxes() / "press-mp.trace")) << "that task has no steps";
-  ASSERT_EQ(kept.size(), 50U);
-  ASSERT_GT(all.size(), 120U);
-  EXPECT_EQ(kept, std::vector<std::string>(all.begin() + 70, all.begin() + 120));
+  run_mrroc({"run", "tasks/press/press.toml", "--record", whole.string()}, 0);
+  EXPECT_FALSE(std::filesystem::exists(boxes() / "press-mp.mcap")) << "that task has no steps";
+  const auto all = cli::trace::read_trace(whole);
+  ASSERT_EQ(cli::trace::line_count(cli::trace::read_trace(box), "arm"), 50U);
+  ASSERT_GT(cli::trace::line_count(all, "arm"), 120U);
+  cli::trace::black_box_of(all, "arm", 70, 120).write(part);
+  run_mrroc({"trace", "diff", box.string(), part.string()}, 0);
+  EXPECT_EQ(trace_hash(box), trace_hash(part));
 }
 
 TEST_F(BlackBoxOfADeath, HasTheStepsOfTasksThatEndBecauseOfIt) {
@@ -45,13 +47,14 @@ TEST_F(BlackBoxOfADeath, HasTheStepsOfTasksThatEndBecauseOfIt) {
                                        belt + "[robots.right]\n" + belt);
   const std::string reported = run(deployment.string(), "kill edp:right at tick 3800");
   EXPECT_NE(reported.find("process right_edp died: signal 9 (Killed)"), std::string::npos) << reported;
-  EXPECT_NE(reported.find((boxes() / "nested-mp.trace").string()), std::string::npos) << reported;
+  EXPECT_NE(reported.find((boxes() / "nested-mp.mcap").string()), std::string::npos) << reported;
   for (const std::string process : {"left", "mp"}) {
-    const auto box = boxes() / ("nested-" + process + ".trace");
+    const auto box = boxes() / ("nested-" + process + ".mcap");
     expect_laws(box);
-    EXPECT_FALSE(lines_with(box, " process=" + process + " ").empty()) << reported;
+    const Steps steps = steps_where(box, [&](const cli::trace::Line& line) { return line.process == process; });
+    EXPECT_FALSE(steps.empty()) << reported;
   }
-  EXPECT_FALSE(std::filesystem::exists(boxes() / "nested-right.trace")) << "that task has no steps";
+  EXPECT_FALSE(std::filesystem::exists(boxes() / "nested-right.mcap")) << "that task has no steps";
 }
 
 TEST_F(BlackBoxOfADeath, IsNotWrittenWhenDisabled) {
@@ -63,7 +66,7 @@ TEST_F(BlackBoxOfADeath, IsNotWrittenWhenDisabled) {
 TEST_F(BlackBoxOfADeath, ReportsAWriteError) {
   const auto blocked = folder_.write("boxes", "a file");
   const std::string reported = run("tasks/press/press.toml", "kill ecp:arm at step 120");
-  EXPECT_NE(reported.find("cannot write the black box " + (blocked / "press-arm.trace").string()), std::string::npos)
+  EXPECT_NE(reported.find("cannot write the black box " + (blocked / "press-arm.mcap").string()), std::string::npos)
       << reported;
 }
 

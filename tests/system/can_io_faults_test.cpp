@@ -80,7 +80,7 @@ TEST_F(CanIoFaults, SameFaultGivesTheSameRun) {
   EXPECT_EQ(first.error, second.error);
   EXPECT_EQ(first.injected, second.injected);
   ASSERT_EQ(first.steps.size(), second.steps.size());
-  for (std::size_t i = 0; i < first.steps.size(); ++i) EXPECT_EQ(first.steps[i].line, second.steps[i].line);
+  for (std::size_t i = 0; i < first.steps.size(); ++i) EXPECT_EQ(first.steps[i].json, second.steps[i].json);
 }
 
 /// As a wire that breaks: nothing but the operator's reset ends it, so the task does not recover.

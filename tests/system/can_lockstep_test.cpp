@@ -29,7 +29,7 @@ fs::path press_on_bus(const ScratchFolder& folder) {
 }
 
 std::string hash_of_run(const fs::path& deployment, const fs::path& trace, int hold = 0) {
-  MrrocRun run({"run", deployment.string(), "--trace", trace.string()});
+  MrrocRun run({"run", deployment.string(), "--record", trace.string()});
   for (int i = 0; i < hold; ++i) {
     EXPECT_TRUE(run.wait_for_output("JointLine")) << run.out() << run.err();
     // the thread of the bus, longer than any cycle may take; the process still sends its heartbeat
@@ -47,12 +47,13 @@ std::string hash_of_run(const fs::path& deployment, const fs::path& trace, int h
 TEST(CanLockstep, RunsAreEqualBesideBusyProcessesAndWithHeldDrives) {
   const ScratchFolder folder;
   const fs::path deployment = press_on_bus(folder);
-  const std::string quiet = hash_of_run(deployment, folder.path() / "quiet");
+  const std::string quiet = hash_of_run(deployment, folder.path() / "quiet.mcap");
   {
     const Load load(8);
-    for (int i = 0; i < 3; ++i) EXPECT_EQ(hash_of_run(deployment, folder.path() / ("busy" + std::to_string(i))), quiet);
+    for (int i = 0; i < 3; ++i)
+      EXPECT_EQ(hash_of_run(deployment, folder.path() / ("busy" + std::to_string(i) + ".mcap")), quiet);
   }
-  EXPECT_EQ(hash_of_run(deployment, folder.path() / "held", 2), quiet);
+  EXPECT_EQ(hash_of_run(deployment, folder.path() / "held.mcap", 2), quiet);
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ fs::path two_arms(const ScratchFolder& folder, const std::string& left, const st
 
 std::string hash_of_run(const fs::path& deployment, const fs::path& trace) {
   const std::string output =
-      run_mrroc({"run", deployment.string(), "--trace", trace.string()}, 0, MrrocRun::kLongPatience);
+      run_mrroc({"run", deployment.string(), "--record", trace.string()}, 0, MrrocRun::kLongPatience);
   EXPECT_NE(output.find("with the MP; difference 0.0000"), std::string::npos) << output;
   return trace_hash(trace);
 }
@@ -56,8 +56,8 @@ TEST(CanSharedBus, TwoRobotsOnOneBusRunAsOnTwo) {
   const char* const kernel = std::getenv("MRROC_TEST_BUS");
   const std::string hub = "unix:" + folder.path().string() + "/";
   const std::string shared = kernel != nullptr ? kernel : hub + "bus";
-  const std::string one = hash_of_run(two_arms(folder, shared, shared), folder.path() / "one");
-  const std::string two = hash_of_run(two_arms(folder, hub + "first", hub + "second"), folder.path() / "two");
+  const std::string one = hash_of_run(two_arms(folder, shared, shared), folder.path() / "one.mcap");
+  const std::string two = hash_of_run(two_arms(folder, hub + "first", hub + "second"), folder.path() / "two.mcap");
   EXPECT_EQ(one, two);
 }
 

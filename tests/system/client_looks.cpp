@@ -1,8 +1,8 @@
 #include "system/client_looks.hpp"
 
-#include <fstream>
+#include <stdexcept>
 
-#include "system/trace_line.hpp"
+#include "system/trace_steps_of.hpp"
 
 namespace mrroc::test {
 
@@ -14,24 +14,30 @@ std::string clients_deployment(const std::string& name, const std::string& share
          "[sensors.free]\nmode = \"non-interactive\"\nrate = 25\n" + free;
 }
 
+double number_after(const std::string& output, const std::string& word) {
+  const std::size_t at = output.find(word);
+  if (at == std::string::npos) throw std::runtime_error("'" + word + "' is missing in\n" + output);
+  return std::stod(output.substr(at + word.size()));
+}
+
 std::map<std::string, std::vector<Look>> looks_of(const std::filesystem::path& trace) {
   std::map<std::string, std::vector<Look>> looks;
-  std::ifstream file(trace);
-  for (std::string line; std::getline(file, line);) {
-    const auto shared = line.find(" sensor=shared "), free = line.find(" sensor=free "),
-               name = line.find("process=") + 8;
-    if (shared == std::string::npos) continue;
-    const auto end = line.rfind(" end=");
-    if (end != std::string::npos && line.find("_error", end) != std::string::npos) continue;  // it saw none there
-    const std::string client = line.substr(name, line.find(' ', name) - name);
-    std::vector<Look>& known = looks[client];
+  for (const cli::trace::Line& line : steps_of(trace)) {
+    const cli::trace::SensorEntry* const shared = sensor_in(line, "shared");
+    if (shared == nullptr) continue;
+    if (line.ending >= StepEnding::non_fatal_error) continue;  // it saw none there
+    const cli::trace::SensorEntry* const free = sensor_in(line, "free");
+    if (free == nullptr) throw std::runtime_error("the step has no reading of the sensor 'free'");
+    std::vector<Look>& known = looks[line.process];
     Look look;
-    look.step = numbers_after(line, " step=").at(0);
-    look.shared = numbers_after(line.substr(shared), " tick=").at(0);
-    look.value = numbers_after(line.substr(shared), " values=").at(0);
-    look.free = numbers_after(line.substr(free), " tick=").at(0);
-    const auto robot = numbers_after(line, " robot=" + client + " tick=");
-    look.own = !robot.empty() ? robot[0] : look.step == 0 ? look.shared : known.back().own + 10;
+    look.step = static_cast<double>(line.step);
+    look.shared = static_cast<double>(shared->tick);
+    look.value = shared->values.at(0);
+    look.free = static_cast<double>(free->tick);
+    const cli::trace::RobotEntry* const robot = robot_in(line, line.process);
+    look.own = robot != nullptr ? static_cast<double>(robot->tick)
+               : look.step == 0 ? look.shared
+                                : known.back().own + 10;
     known.push_back(look);
   }
   return looks;

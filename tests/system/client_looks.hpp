@@ -18,6 +18,9 @@ inline constexpr const char* kTime = "type = \"time\"\n";
 /// `shared` and `free`: the lines of the sensors' tables that define the measured value.
 std::string clients_deployment(const std::string& name, const std::string& shared, const std::string& free);
 
+/// The number behind the first `word` in a program's output. Throws std::runtime_error when it is missing.
+double number_after(const std::string& output, const std::string& word);
+
 /// A client's data of a step: the ticks of its readings, and the first value of "shared".
 struct Look {
   double step = 0;

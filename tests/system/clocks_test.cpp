@@ -1,22 +1,20 @@
 #include <gtest/gtest.h>
 
-#include <fstream>
-
 #include "system/mrroc_run.hpp"
+#include "system/trace_steps_of.hpp"
 
 namespace mrroc::test::clocks_test {
 namespace {
 
-/// The last line of each instruction: its name and the conditions that held.
+/// The last step of each instruction: its name, its conditions with their values, and how it ended.
 std::vector<std::string> endings_of(const std::filesystem::path& trace) {
   std::vector<std::string> endings;
-  std::ifstream file(trace);
-  for (std::string line; std::getline(file, line);) {
-    if (line.find(" end=") == std::string::npos) continue;
-    const std::size_t name = line.find_first_of('"');
-    const std::size_t conditions = line.find(" condition=");
-    endings.push_back(line.substr(name, line.find('"', name + 1) - name + 1) +
-                      (conditions == std::string::npos ? "" : line.substr(conditions)));
+  for (const cli::trace::Line& line : steps_of(trace)) {
+    if (!line.ends()) continue;
+    std::string text = line.name;
+    for (const cli::trace::ConditionEntry& condition : line.conditions)
+      text += ", " + condition.name + (condition.value ? ": 1" : ": 0");
+    endings.push_back(text + ", ending " + std::to_string(static_cast<int>(line.ending)));
   }
   return endings;
 }
@@ -25,11 +23,11 @@ class Clocks : public testing::TestWithParam<const char*> {};
 
 TEST_P(Clocks, SameBinariesGiveTheSameOutcome) {
   const ScratchFolder folder;
-  const auto lockstep = folder.path() / "lockstep";
-  const auto other = folder.path() / "other";
-  run_mrroc({"run", "tasks/press/press.toml", "--clock", "lockstep", "--quiet", "--trace", lockstep.string()}, 0);
+  const auto lockstep = folder.path() / "lockstep.mcap";
+  const auto other = folder.path() / "other.mcap";
+  run_mrroc({"run", "tasks/press/press.toml", "--clock", "lockstep", "--quiet", "--record", lockstep.string()}, 0);
   const std::string output =
-      run_mrroc({"run", "tasks/press/press.toml", "--clock", GetParam(), "--trace", other.string()}, 0);
+      run_mrroc({"run", "tasks/press/press.toml", "--clock", GetParam(), "--record", other.string()}, 0);
   EXPECT_EQ(endings_of(other), endings_of(lockstep));
   EXPECT_EQ(endings_of(other).size(), 6U);
   EXPECT_NE(output.find("press succeeded"), std::string::npos) << output;

@@ -1,9 +1,10 @@
 // Equation (14) of the paper: a running task configures its sensors, with `mrroc run`.
 #include <gtest/gtest.h>
 
-#include <fstream>
+#include <algorithm>
 
 #include "system/mrroc_run.hpp"
+#include "system/trace_steps_of.hpp"
 
 namespace mrroc::test::configuration_test {
 namespace {
@@ -39,12 +40,21 @@ rate = 10
 scene = "scene.xml"
 )";
 
-std::size_t count(const std::filesystem::path& file, const std::string& word) {
-  std::ifstream in(file);
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
+using cli::trace::SensorEntry;
+
+/// How many readings in the steps fit.
+template <class Fits>
+std::size_t count(const Steps& steps, Fits fits) {
   std::size_t found = 0;
-  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + word.size())) ++found;
+  for (const cli::trace::Line& line : steps)
+    found += static_cast<std::size_t>(std::count_if(line.sensors.begin(), line.sensors.end(), fits));
   return found;
+}
+
+bool is_of_the_new_one(const SensorEntry& reading) { return reading.configuration == 1 && reading.configured == 1; }
+
+bool is_published_of_the_old_one(const SensorEntry& reading) {
+  return reading.mode == cli::trace::SensorMode::published && reading.configuration == 0 && reading.configured != 0;
 }
 
 TEST(Configuration, RunningTaskConfiguresItsSensorsAndItsRobot) {
@@ -52,15 +62,18 @@ TEST(Configuration, RunningTaskConfiguresItsSensorsAndItsRobot) {
   folder.write("scene.xml", kScene);
   const std::string file = folder.write("configuration.toml", kDeployment).string();
   for (const std::string clock : {"lockstep", "lockstep", "real"}) {
-    const auto trace = folder.path() / (clock == "real" ? "real" : exists(folder.path() / "0") ? "1" : "0");
-    const std::string output = run_mrroc({"run", file, "--quiet", "--clock", clock, "--trace", trace.string()}, 0);
+    const auto trace = folder.path() / (clock == "real"                    ? "real.mcap"
+                                        : exists(folder.path() / "0.mcap") ? "1.mcap"
+                                                                           : "0.mcap");
+    const std::string output = run_mrroc({"run", file, "--quiet", "--clock", clock, "--record", trace.string()}, 0);
     EXPECT_NE(output.find("configuration 0: "), std::string::npos) << output;
     EXPECT_NE(output.find("configuration 1: "), std::string::npos) << output;
     run_mrroc({"trace", "check", trace.string()}, 0);
-    EXPECT_GT(count(trace, " configuration=1 configured=1"), 100U);
-    EXPECT_EQ(count(trace, " published configured=1"), 0U) << "a reading of the old configuration is in a step";
+    const Steps steps = steps_of(trace);
+    EXPECT_GT(count(steps, is_of_the_new_one), 100U);
+    EXPECT_EQ(count(steps, is_published_of_the_old_one), 0U) << "a reading of the old configuration is in a step";
   }
-  EXPECT_EQ(trace_hash(folder.path() / "0"), trace_hash(folder.path() / "1"));
+  EXPECT_EQ(trace_hash(folder.path() / "0.mcap"), trace_hash(folder.path() / "1.mcap"));
 }
 
 }  // namespace

@@ -1,12 +1,12 @@
 // Equation (11) of the paper: Moves of the MP in which the ECP of an arm takes part, with `mrroc run`.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <fstream>
+#include <algorithm>
 #include <map>
-#include <sstream>
+#include <utility>
 
 #include "system/mrroc_run.hpp"
+#include "system/trace_steps_of.hpp"
 
 namespace mrroc::test::coordinated_test {
 namespace {
@@ -26,15 +26,27 @@ std::string event(int tick, const std::string& command) {
   return "[[events]]\ntick = " + std::to_string(tick) + "\ncommand = \"" + command + "\"\n";
 }
 
-std::string content(const std::filesystem::path& file) {
-  std::ifstream text(file);
-  return {std::istreambuf_iterator<char>(text), {}};
+using cli::trace::RobotEntry;
+
+/// How many states of robots in the steps fit.
+template <class Fits>
+std::size_t count(const Steps& steps, Fits fits) {
+  std::size_t found = 0;
+  for (const cli::trace::Line& line : steps)
+    found += static_cast<std::size_t>(std::count_if(line.robots.begin(), line.robots.end(), fits));
+  return found;
 }
 
-std::size_t count(const std::string& text, const std::string& word) {
-  std::size_t found = 0;
-  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + word.size())) ++found;
-  return found;
+bool has_late_commands(const RobotEntry& robot) { return robot.late != 0; }
+
+/// Whether the MP commands so in the step of an ECP.
+auto superior_is(CommandKind kind) {
+  return [kind](const RobotEntry& robot) { return robot.superior && robot.superior->kind == kind; };
+}
+
+/// Whether an ECP that takes part in a Move of the MP commands joints.
+bool commands_joints_with_the_mp(const RobotEntry& robot) {
+  return robot.coordination == Coordination::takes_part && robot.command && robot.command->kind == CommandKind::joint;
 }
 
 /// The first of the lines that does not appear in this order; empty: all do.
@@ -48,66 +60,60 @@ std::string missing_line(const std::string& output, const std::vector<std::strin
   return {};
 }
 
-/// The number behind `key` in `text`, 0 without one.
-std::uint64_t number_behind(const std::string& text, const std::string& key) {
-  const std::size_t at = text.find(key);
-  return at == std::string::npos ? 0 : std::strtoull(text.c_str() + at + key.size(), nullptr, 10);
+/// The start tick of a robot's command, or else of the MP's; 0 without one.
+Tick start_of(const RobotEntry& robot) {
+  if (robot.command && robot.command->start_tick != 0) return robot.command->start_tick;
+  return robot.superior ? robot.superior->start_tick : 0;
 }
 
-/// How many commands of a run with this trace came late: to a moving robot, which counts them, or to a resting one,
+/// How many commands of a run with these steps came late: to a moving robot, which counts them, or to a resting one,
 /// which then began after the start that the command had. An arm whose ECP leaves or holds it begins late, too, as
 /// often in lockstep as under the real clock.
-std::size_t late_commands(const std::string& trace) {
-  std::size_t late = count(trace, " late=");
-  std::map<std::string, std::uint64_t> starts;  // of the last commands, by process and robot
-  std::istringstream lines(trace);
-  for (std::string line; std::getline(lines, line);) {
-    const std::string process = line.substr(0, line.find(" instruction=")).substr(line.find(" process=") + 1);
-    for (std::size_t at = line.find(" robot="); at != std::string::npos;) {
-      const std::size_t next = line.find(" robot=", at + 1);
-      const std::string robot = line.substr(at, next == std::string::npos ? next : next - at);
-      std::uint64_t& start = starts[process + robot.substr(0, robot.find(" tick="))];
-      if (start != 0 && number_behind(robot, " macrostep=") > start) ++late;
-      start = number_behind(robot, ",start");
-      at = next;
+std::size_t late_commands(const Steps& steps) {
+  std::size_t late = count(steps, has_late_commands);
+  std::map<std::pair<std::string, std::string>, Tick> starts;  // of the last commands, by process and robot
+  for (const cli::trace::Line& line : steps)
+    for (const RobotEntry& robot : line.robots) {
+      Tick& start = starts[{line.process, robot.name}];
+      if (start != 0 && robot.macrostep > start) ++late;
+      start = start_of(robot);
     }
-  }
   return late;
 }
 
-/// Runs it twice in lockstep and under the real clock. The traces keep the rules of `mrroc trace check`, in lockstep
-/// they are equal. The lines appear in this order, in every run without more late commands than in lockstep: a busy
-/// host, which may prevent that under the real clock, gets further runs. Returns the trace of the first run.
-std::string expect_lines(const std::filesystem::path& file, const std::vector<std::string>& lines, int code = 0) {
+/// Runs it twice in lockstep and under the real clock. The recordings keep the rules of `mrroc trace check`, in
+/// lockstep they are equal. The lines appear in this order, in every run without more late commands than in lockstep: a
+/// busy host, which may prevent that under the real clock, gets further runs. Returns the steps of the first run.
+Steps expect_lines(const std::filesystem::path& file, const std::vector<std::string>& lines, int code = 0) {
   constexpr int kRunsUnderTheRealClock = 6;
   const ScratchFolder folder;
   const auto run = [&](const std::string& clock, const std::string& name) {
-    return run_mrroc({"run", file.string(), "--quiet", "--clock", clock, "--trace", folder / name}, code);
+    return run_mrroc({"run", file.string(), "--quiet", "--clock", clock, "--record", folder / name}, code);
   };
-  for (const std::string name : {"0", "1"}) {
+  for (const std::string name : {"0.mcap", "1.mcap"}) {
     const std::string output = run("lockstep", name);
     EXPECT_EQ(missing_line(output, lines), "") << "is missing in lockstep in\n" << output;
   }
-  const std::string first = content(folder / "0");
-  EXPECT_EQ(count(first, " late="), 0U);
+  Steps first = steps_of(folder / "0.mcap");
+  EXPECT_EQ(count(first, has_late_commands), 0U);
   bool exact = false;
   for (int i = 0; i < kRunsUnderTheRealClock && !exact; ++i) {
-    const std::string name = "real" + std::to_string(i), output = run("real", name);
-    exact = late_commands(content(folder / name)) <= late_commands(first);
+    const std::string name = "real" + std::to_string(i) + ".mcap", output = run("real", name);
+    exact = late_commands(steps_of(folder / name)) <= late_commands(first);
     if (exact) {
       EXPECT_EQ(missing_line(output, lines), "") << "is missing under the real clock in\n" << output;
     }
   }
-  EXPECT_EQ(trace_hash(folder / "0"), trace_hash(folder / "1"));
+  EXPECT_EQ(trace_hash(folder / "0.mcap"), trace_hash(folder / "1.mcap"));
   return first;
 }
 
 TEST(Coordinated, EcpThatCommandsWhatItsMpDoesChangesNothing) {
   const ScratchFolder folder;
-  const std::string trace = expect_lines(deployment(folder, "mirror"), {"skew 0", "with the MP; difference 0.000000000",
-                                                                        "transparent: difference 0.0000"});
-  EXPECT_GT(count(trace, " superior=joint"), 100U);
-  EXPECT_EQ(count(trace, " superior=joint"), count(trace, " coordinated command=joint"));
+  const Steps steps = expect_lines(deployment(folder, "mirror"),
+                                   {"skew 0", "with the MP; difference 0.000000000", "transparent: difference 0.0000"});
+  EXPECT_GT(count(steps, superior_is(CommandKind::joint)), 100U);
+  EXPECT_EQ(count(steps, superior_is(CommandKind::joint)), count(steps, commands_joints_with_the_mp));
 }
 
 TEST(Coordinated, CorrectionIsAddedToTheMotionOfTheMp) {
@@ -127,9 +133,10 @@ TEST(Coordinated, GeneratorOfOnesOwnAddsToTheMotionOfTheMp) {
 
 TEST(Coordinated, EcpThatEndsFirstLeavesTheMotionToTheMp) {
   const ScratchFolder folder;
-  const std::string trace =
+  const Steps steps =
       expect_lines(deployment(folder, "first"), {"ended first: 20 steps", "on its own; difference 0.000000000"});
-  EXPECT_EQ(count(trace, " held="), 1U) << "the MP brings both arms to rest and plans again";
+  EXPECT_EQ(std::count_if(steps.begin(), steps.end(), [](const cli::trace::Line& line) { return line.held != 0; }), 1)
+      << "the MP brings both arms to rest and plans again";
 }
 
 TEST(Coordinated, ErrorOfTheEcpIsOneOfTheRobotInTheMove) {
@@ -142,8 +149,10 @@ TEST(Coordinated, ErrorOfTheEcpIsOneOfTheRobotInTheMove) {
 
 TEST(Coordinated, EcpMayStayForSeveralMoves) {
   const ScratchFolder folder;
-  const std::string trace = expect_lines(deployment(folder, "stay"), {"stayed: ", "6 plans", "difference 0.000000000"});
-  EXPECT_EQ(count(trace, "move=\"Mirroring\" until"), 0U);
+  const Steps steps = expect_lines(deployment(folder, "stay"), {"stayed: ", "6 plans", "difference 0.000000000"});
+  EXPECT_TRUE(std::none_of(steps.begin(), steps.end(), [](const cli::trace::Line& line) {
+    return line.is_move && line.name == "Mirroring" && line.until;
+  }));
 }
 
 TEST(Coordinated, EcpWithAProgramOfItsOwnIsBusy) {
@@ -153,9 +162,9 @@ TEST(Coordinated, EcpWithAProgramOfItsOwnIsBusy) {
 
 TEST(Coordinated, PauseOfTheMpHoldsAndTheMotionContinues) {
   const ScratchFolder folder;
-  const std::string trace = expect_lines(deployment(folder, "mirror", event(400, "pause") + event(900, "resume")),
-                                         {"mirrored: ", "4 plans, with the MP; difference 0.000000000"});
-  EXPECT_GT(count(trace, " superior=hold"), 10U);
+  const Steps steps = expect_lines(deployment(folder, "mirror", event(400, "pause") + event(900, "resume")),
+                                   {"mirrored: ", "4 plans, with the MP; difference 0.000000000"});
+  EXPECT_GT(count(steps, superior_is(CommandKind::hold)), 10U);
 }
 
 TEST(Coordinated, StopEndsBothPrograms) {
@@ -178,11 +187,11 @@ TEST(Coordinated, LateCommandsAreMadeUpFor) {
   const auto file = deployment(folder, "mirror");
   for (const std::string what :
        {"delay mp by 40 at step 30 for 10 ticks", "delay ecp:left by 40 at step 30 for 10 ticks"}) {
-    const auto trace = folder.path() / "trace";
+    const auto trace = folder.path() / "trace.mcap";
     const std::string output =
-        run_mrroc({"run", file.string(), "--quiet", "--inject", what, "--trace", trace.string()}, 0);
+        run_mrroc({"run", file.string(), "--quiet", "--inject", what, "--record", trace.string()}, 0);
     EXPECT_NE(output.find("with the MP; difference 0.000000000"), std::string::npos) << what << ":\n" << output;
-    EXPECT_GT(count(content(trace), " late="), 0U) << what;
+    EXPECT_GT(count(steps_of(trace), has_late_commands), 0U) << what;
   }
 }
 
@@ -193,11 +202,11 @@ TEST(Coordinated, LateCommandsOfAGeneratorOfOnesOwnAreMadeUpFor) {
   for (const std::string process : {"mp", "ecp:left"})
     for (const std::string step : {"20", "40", "75"}) {
       const std::string what = "delay " + process + " by 5 at step " + step + " for 10 ticks";
-      const auto trace = folder.path() / "trace";
+      const auto trace = folder.path() / "trace.mcap";
       const std::string output =
-          run_mrroc({"run", file.string(), "--quiet", "--inject", what, "--trace", trace.string()}, 0);
+          run_mrroc({"run", file.string(), "--quiet", "--inject", what, "--record", trace.string()}, 0);
       EXPECT_NE(output.find("widest 2.0 mm"), std::string::npos) << what << ":\n" << output;
-      EXPECT_GT(count(content(trace), " late="), 0U) << what;
+      EXPECT_GT(count(steps_of(trace), has_late_commands), 0U) << what;
     }
 }
 

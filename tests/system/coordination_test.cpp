@@ -3,12 +3,11 @@
 #include <signal.h>
 
 #include <algorithm>
-#include <fstream>
 #include <tuple>
 
 #include "system/keyboard.hpp"
 #include "system/mrroc_run.hpp"
-#include "system/trace_line.hpp"
+#include "system/trace_steps_of.hpp"
 
 namespace mrroc::test::coordination_test {
 namespace {
@@ -35,9 +34,9 @@ std::string expect_lines(const std::filesystem::path& file, const std::vector<st
   std::string first;
   const std::vector<std::string> clocks{"lockstep", "lockstep", "real"};
   for (std::size_t run = 0; run < clocks.size(); ++run) {
-    const auto trace = folder.path() / std::to_string(run);
+    const auto trace = folder.path() / (std::to_string(run) + ".mcap");
     const std::string output = run_mrroc(
-        {"run", file.string(), "--quiet", "--clock", clocks[run], "--trace", trace.string()}, code, kPatience);
+        {"run", file.string(), "--quiet", "--clock", clocks[run], "--record", trace.string()}, code, kPatience);
     std::size_t from = 0;
     for (const std::string& line : lines) {
       const std::size_t at = output.find(line, from);
@@ -46,7 +45,7 @@ std::string expect_lines(const std::filesystem::path& file, const std::vector<st
     }
     if (run == 0) first = output;
   }
-  EXPECT_EQ(trace_hash(folder.path() / "0"), trace_hash(folder.path() / "1"));
+  EXPECT_EQ(trace_hash(folder.path() / "0.mcap"), trace_hash(folder.path() / "1.mcap"));
   return first;
 }
 
@@ -70,14 +69,11 @@ TEST(Coordination, PartsOfATaskMoveTheirRobotsSimultaneously) {
   const auto file = deployment(folder, "fibers", "[[answers]]\nquestion = \"Back?\"\nanswer = \"yes\"\n");
   const std::string output = expect_lines(file, {"mp: Back? yes", "both are there", "left 0.100 m, right 0.100 m"});
   // the instructions of the two parts overlap in time
-  const auto trace = folder.path() / "trace";
-  run_mrroc({"run", file.string(), "--quiet", "--trace", trace.string()}, 0);
-  std::ifstream lines(trace);
+  const auto trace = folder.path() / "trace.mcap";
+  run_mrroc({"run", file.string(), "--quiet", "--record", trace.string()}, 0);
   std::vector<std::string> robots;
-  for (std::string line; std::getline(lines, line);) {
-    const std::size_t at = line.find(" robot=");
-    if (at != std::string::npos) robots.push_back(line.substr(at + 7, line.find(' ', at + 7) - at - 7));
-  }
+  for (const cli::trace::Line& line : steps_of(trace))
+    if (!line.robots.empty()) robots.push_back(line.robots.front().name);
   robots.erase(std::unique(robots.begin(), robots.end()), robots.end());
   EXPECT_GT(robots.size(), 20U) << "the Moves were made one after the other";
 }
@@ -147,22 +143,21 @@ INSTANTIATE_TEST_SUITE_P(All, Dialogue,
                          });
 
 TEST(Coordination, AnswerDuringAPauseIsUsedAfterIt) {
-  constexpr int kResume = 1500;
+  constexpr Tick kResume = 1500;
   const ScratchFolder folder;
   const auto file = deployment(folder, "questions",
                                answers_but("More?") + "[[events]]\ntick = 1\ncommand = \"pause\"\n" +
                                    "[[events]]\ntick = " + std::to_string(kResume) + "\ncommand = \"resume\"\n");
-  const auto trace = folder.path() / "trace";
+  const auto trace = folder.path() / "trace.mcap";
   Keyboard keyboard;
-  MrrocRun run({"run", file.string(), "--clock", "paced", "--trace", trace.string()});
+  MrrocRun run({"run", file.string(), "--clock", "paced", "--record", trace.string()});
   ASSERT_TRUE(run.wait_for_output("More?")) << run.out() << run.err();
   keyboard.type("yes\nyes\nyes\n");  // that one, the next, and "Is anybody there?"
   EXPECT_EQ(run.wait(), 0) << run.out() << run.err();
   EXPECT_NE(run.out().find("left at 0.040 m by answer"), std::string::npos) << run.out();
-  std::ifstream lines(trace);
-  std::string line;
-  while (std::getline(lines, line) && line.find("process=left ") == std::string::npos) continue;
-  EXPECT_GE(numbers_after(line, "tick=").at(0), kResume) << line;
+  const Steps of_left = steps_where(trace, [](const cli::trace::Line& line) { return line.process == "left"; });
+  ASSERT_FALSE(of_left.empty());
+  EXPECT_GE(of_left.front().tick, kResume) << of_left.front().name;
 }
 
 TEST(Coordination, PauseAndResumeReachThePartsAndThePrograms) {

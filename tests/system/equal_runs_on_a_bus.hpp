@@ -15,9 +15,9 @@ inline void expect_equal_runs_on_a_bus(const std::filesystem::path& deployment, 
                                        const std::vector<std::string>& words) {
   std::string hashes[2];
   for (int i = 0; i < 2; ++i) {
-    const auto trace = folder.path() / ("trace" + std::to_string(i));
+    const auto trace = folder.path() / ("trace" + std::to_string(i) + ".mcap");
     const std::string output =
-        run_mrroc({"run", deployment.string(), "--trace", trace.string()}, 0, MrrocRun::kLongPatience);
+        run_mrroc({"run", deployment.string(), "--record", trace.string()}, 0, MrrocRun::kLongPatience);
     for (const std::string& word : words) EXPECT_NE(output.find(word), std::string::npos) << output;
     hashes[i] = trace_hash(trace);
   }

@@ -48,6 +48,11 @@ def robot_state(robot):
     raise AssertionError(f"no state of {robot}")
 
 
+def steps_of(recording):
+    """The steps of a recording, as `mrroc trace cat` prints them, each with its time."""
+    return {line for line in output_of("trace", "cat", recording).splitlines() if '"mrroc_msgs/msg/Step"' in line}
+
+
 class LiveRun:
     """`mrroc run` with a runtime folder of its own."""
 
@@ -222,34 +227,33 @@ class LiveOperator(unittest.TestCase):
         self.expect_same_run_in_lockstep(STOPPED)
 
     def test_last_steps_are_recorded_while_the_task_runs(self):
-        elsewhere, trace = f"{self.folder}/elsewhere", f"{self.folder}/live.trace"
+        elsewhere = f"{self.folder}/elsewhere"
         os.mkdir(elsewhere)
-        with LiveRun(self.folder, "--hold", *self.noting(f"{self.folder}/boxes"), "--trace", trace, cwd=self.folder) as run:
+        with LiveRun(self.folder, "--hold", *self.noting(f"{self.folder}/boxes"), cwd=self.folder) as run:
             run.await_task("held")
-            self.assertIn("no task on this machine has made a step", output_of("record", "early.trace", code=1))
+            self.assertIn("no task on this machine has made a step", output_of("record", "early.mcap", code=1))
             output_of("start")
             run.await_state(lambda state: any(p["instruction"] == 2 for p in state["processes"]), "in motion")
             holder = Client(self.folder)
             self.assertTrue(holder.request(verb="command")["ok"])
-            command = [MRROC, "record", "client.trace"]
+            command = [MRROC, "record", "client.mcap"]
             done = subprocess.run(command, cwd=elsewhere, capture_output=True, text=True, timeout=TIMEOUT, check=False)
             self.assertEqual((done.returncode, done.stderr), (0, ""))
-            self.assertIn(f"black box: {elsewhere}/client.trace [tick ", done.stdout)
-            reply = holder.request(verb="record", file="socket.trace")
-            self.assertIn(f"steps of arm; black box: {self.folder}/socket.trace", reply["text"])
-            reply = holder.request(verb="record", file="socket.trace")
+            self.assertIn(f"black box: {elsewhere}/client.mcap [tick ", done.stdout)
+            reply = holder.request(verb="record", file="socket.mcap")
+            self.assertIn(f"steps of arm; black box: {self.folder}/socket.mcap", reply["text"])
+            reply = holder.request(verb="record", file="socket.mcap")
             self.assertEqual((reply["ok"], reply["reason"]), (False, "invalid_argument"))
             self.assertIn("exists", reply["text"])
-            self.assertIn("No such file", output_of("record", f"{elsewhere}/no/such.trace", code=2))
+            self.assertIn("No such file", output_of("record", f"{elsewhere}/no/such.mcap", code=2))
             holder.close()
             self.assertEqual(run.end(), 0)
             self.assertIn("record by holder", run.text().replace("python3", "holder"))
-        for file in (f"{elsewhere}/client.trace", f"{self.folder}/socket.trace"):
+        for file in (f"{elsewhere}/client.mcap", f"{self.folder}/socket.mcap"):
             self.assertIn("rules hold", output_of("trace", "check", file))
-            whole = pathlib.Path(trace).read_text(encoding="utf-8").splitlines()
-            steps = [line for line in pathlib.Path(file).read_text(encoding="utf-8").splitlines() if line[0] != "#"]
+            steps = steps_of(file)
             self.assertGreater(len(steps), 10)
-            self.assertLessEqual(set(steps), set(whole))
+            self.assertLessEqual(steps, steps_of(self.recording))
         self.expect_same_run_in_lockstep(0)
 
     def test_speed_is_changed_during_a_motion(self):
@@ -367,9 +371,9 @@ class LiveOperator(unittest.TestCase):
         await_shown("did you mean 'status'?")
         os.write(terminal, b"sta")
         await_shown("> sta")
-        os.write(terminal, f"\x15record {self.folder}/typed.trace\r".encode())
+        os.write(terminal, f"\x15record {self.folder}/typed.mcap\r".encode())
         await_shown("steps of arm; black box:")
-        self.assertIn("rules hold", output_of("trace", "check", f"{self.folder}/typed.trace"))
+        self.assertIn("rules hold", output_of("trace", "check", f"{self.folder}/typed.mcap"))
         os.write(terminal, b"help\r")
         await_shown("Bring the robots to rest and end the run")
         os.write(terminal, b" ")

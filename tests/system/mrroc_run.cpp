@@ -75,10 +75,11 @@ std::string finish(MrrocRun& run, const std::vector<std::string>& arguments, int
   std::string line = "mrroc";
   for (const std::string& argument : arguments) line += " " + argument;
   EXPECT_EQ(code, expected) << line << "\n" << run.out() << run.err();
-  const auto trace = std::find(arguments.begin(), arguments.end(), "--trace");
-  // a trace is empty when the run was refused
-  if (trace != arguments.end() && std::filesystem::is_regular_file(trace[1]) && !std::filesystem::is_empty(trace[1]))
-    expect_laws(trace[1]);
+  const auto is_option = [](const std::string& word) { return word == "--record" || word == "--trace"; };
+  const auto option = std::find_if(arguments.begin(), arguments.end(), is_option);
+  // a recording is empty when the run was refused
+  if (option != arguments.end() && std::filesystem::is_regular_file(option[1]) && !std::filesystem::is_empty(option[1]))
+    expect_laws(option[1]);
   return run.out() + run.err();
 }
 

@@ -2,13 +2,12 @@
 #include <signal.h>
 
 #include <algorithm>
-#include <fstream>
 #include <set>
-#include <sstream>
 #include <thread>
 #include <tuple>
 
 #include "system/mrroc_run.hpp"
+#include "system/trace_steps_of.hpp"
 #include "text_of.hpp"
 
 namespace mrroc::test::operator_test {
@@ -28,7 +27,7 @@ std::string event(int tick, const std::string& command) {
   return "\n[[events]]\ntick = " + std::to_string(tick) + "\ncommand = \"" + command + "\"\n";
 }
 
-/// Data of the arm from the trace: the tick of a step and the measured joints.
+/// Data of the arm from the recording: the tick of a step and the measured joints.
 struct Step {
   std::size_t tick = 0;
   std::vector<double> joints;
@@ -36,30 +35,22 @@ struct Step {
 
 std::vector<Step> read_trace(const std::filesystem::path& trace) {
   std::vector<Step> steps;
-  std::ifstream file(trace);
-  for (std::string line; std::getline(file, line);) {
-    const std::string key = " joints=";
-    const std::size_t joints = line.find(key);
-    if (joints == std::string::npos) continue;
-    Step step{std::stoul(line.substr(std::string{"tick="}.size())), {}};
-    std::istringstream values(line.substr(joints + key.size(), line.find(' ', joints + 1) - joints - key.size()));
-    for (std::string value; std::getline(values, value, ',');) step.joints.push_back(std::stod(value));
-    steps.push_back(step);
-  }
+  for (const cli::trace::Line& line : steps_of(trace))
+    if (!line.robots.empty()) steps.push_back({line.tick, line.robots.front().joints});
   return steps;
 }
 
 TEST(Operator, PauseHoldsTheRobotAndTheTaskContinuesAfterwards) {
   const ScratchFolder folder;
-  const auto trace = folder.path() / "trace";
-  run_mrroc({"run", press_with(folder, "").string(), "--quiet", "--trace", trace.string()}, 0);
+  const auto trace = folder.path() / "trace.mcap";
+  run_mrroc({"run", press_with(folder, "").string(), "--quiet", "--record", trace.string()}, 0);
   const std::size_t undisturbed = read_trace(trace).back().tick;
   const std::size_t pause = 1500;
   const std::size_t resume = 2500;
   const auto paused = press_with(folder, event(1500, "pause") + event(2500, "resume"));
   std::set<std::string> hashes;
   for (int i = 0; i < 3; ++i) {
-    run_mrroc({"run", paused.string(), "--quiet", "--trace", trace.string()}, 0);
+    run_mrroc({"run", paused.string(), "--quiet", "--record", trace.string()}, 0);
     hashes.insert(trace_hash(trace));
   }
   EXPECT_EQ(hashes.size(), 1U);
@@ -76,9 +67,9 @@ TEST(Operator, PauseHoldsTheRobotAndTheTaskContinuesAfterwards) {
 
 TEST(Operator, TriggerEndsTheWaitOfTheTask) {
   const ScratchFolder folder;
-  const auto trace = folder.path() / "trace";
+  const auto trace = folder.path() / "trace.mcap";
   const auto file = folder.write("trigger.toml", faulty_deployment("trigger") + event(700, "trigger"));
-  run_mrroc({"run", file.string(), "--quiet", "--trace", trace.string()}, 0);
+  run_mrroc({"run", file.string(), "--quiet", "--record", trace.string()}, 0);
   const std::size_t end = read_trace(trace).back().tick;
   EXPECT_GE(end, 700U);
   EXPECT_LE(end, 720U);
@@ -87,10 +78,10 @@ TEST(Operator, TriggerEndsTheWaitOfTheTask) {
 TEST(Operator, StopEndsTheTaskWithItsOwnExitCode) {
   const ScratchFolder folder;
   const auto stopped = press_with(folder, event(1500, "stop"));
-  const auto trace = folder.path() / "trace";
+  const auto trace = folder.path() / "trace.mcap";
   std::set<std::string> hashes;
   for (int i = 0; i < 3; ++i) {
-    const std::string output = run_mrroc({"run", stopped.string(), "--trace", trace.string()}, kStopped);
+    const std::string output = run_mrroc({"run", stopped.string(), "--record", trace.string()}, kStopped);
     EXPECT_NE(output.find("stopped by the operator"), std::string::npos) << output;
     hashes.insert(trace_hash(trace));
   }
@@ -108,9 +99,9 @@ TEST(Operator, AStopReachesATaskOfTheMp) {
   const std::string scene = "../press/press.xml";
   text.replace(text.find(scene), scene.size(), MRROC_SOURCE_DIR "/tasks/press/press.xml");
   const ScratchFolder folder;
-  const auto trace = folder.path() / "trace";
+  const auto trace = folder.path() / "trace.mcap";
   const auto file = folder.write("press_mp.toml", text + event(1500, "stop"));
-  run_mrroc({"run", file.string(), "--quiet", "--trace", trace.string()}, kStopped);
+  run_mrroc({"run", file.string(), "--quiet", "--record", trace.string()}, kStopped);
   EXPECT_LE(read_trace(trace).back().tick, 1520U);
 }
 

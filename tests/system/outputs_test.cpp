@@ -60,18 +60,18 @@ class Outputs : public testing::Test {
 };
 
 TEST_F(Outputs, RunIsRefusedAFileThatAnotherOneWrites) {
-  MrrocRun first({"run", hold.string(), "--trace", at("t").string()});
+  MrrocRun first({"run", hold.string(), "--record", at("t").string()});
   ASSERT_TRUE(first.wait_for_output("running")) << first.err();
   std::filesystem::create_symlink(at("t"), at("link"));
   std::filesystem::create_hard_link(at("t"), at("twin"));
   const std::string reason = "is being written by process " + std::to_string(first.pid());
-  for (const char* name : {"t", "./t", "link", "twin", "t.arm.part"})
-    expect_refused({"run", brief.string(), "--trace", at(name).string()}, reason);
+  for (const char* name : {"t", "./t", "link", "twin"})
+    expect_refused({"run", brief.string(), "--record", at(name).string()}, reason);
   first.signal(SIGINT);
   EXPECT_EQ(first.wait(), kStopped) << first.err();
   expect_laws(at("t"));
   EXPECT_FALSE(text_of(at("t")).empty());
-  run_mrroc({"run", brief.string(), "--quiet", "--trace", at("t").string()}, 0);
+  run_mrroc({"run", brief.string(), "--quiet", "--record", at("t").string()}, 0);
 }
 
 TEST_F(Outputs, SimulatorsFilesAreClaimedToo) {
@@ -81,33 +81,32 @@ TEST_F(Outputs, SimulatorsFilesAreClaimedToo) {
   const std::string reason = "is being written by process " + std::to_string(first.pid());
   expect_refused({"run", task, "--motion", at("m").string()}, reason);
   expect_refused({"run", task, "--snapshots", at("s").string() + "/."}, reason);
-  expect_refused({"run", task, "--trace", at("m").string()}, reason);
+  expect_refused({"run", task, "--record", at("m").string()}, reason);
   first.signal(SIGKILL);
   first.wait();
   const auto free = [&] {
-    return MrrocRun({"run", task, "--motion", at("m").string(), "--trace", "/no/such/t"}).wait();
+    return MrrocRun({"run", task, "--motion", at("m").string(), "--record", "/no/such/t"}).wait();
   };
-  EXPECT_EQ(free(), kUsage) << "for the trace, not for the motion file of a killed run";
+  EXPECT_EQ(free(), kUsage) << "for the recording, not for the motion file of a killed run";
 }
 
 TEST_F(Outputs, KilledRunDoesNotBlockAnother) {
-  MrrocRun first({"run", hold.string(), "--trace", at("t").string()});
+  MrrocRun first({"run", hold.string(), "--record", at("t").string()});
   ASSERT_TRUE(first.wait_for_output("running")) << first.err();
   const std::vector<pid_t> pids = first.children();
   first.signal(SIGKILL);
   first.wait();
   ASSERT_TRUE(all_end(pids));
-  run_mrroc({"run", brief.string(), "--quiet", "--trace", at("t").string()}, 0);
-  EXPECT_TRUE(std::filesystem::exists(at("t.arm.part"))) << "the file of the killed run";
-  EXPECT_FALSE(std::filesystem::exists(at("t.arm.2.part")));
+  run_mrroc({"run", brief.string(), "--quiet", "--record", at("t").string()}, 0);
 }
 
 TEST_F(Outputs, TwoSimultaneousRunsAreCompleteOrRefused) {
   for (int round = 0; round < 3; ++round) {
     EXPECT_EQ(
-        bash(R"(for i in 1 2 3; do $MRROC run $SHORT --quiet --trace same --black-box "" > out$i 2>&1 & pid[$i]=$!; done
+        bash(
+            R"(for i in 1 2 3; do $MRROC run $SHORT --quiet --record same --black-box "" > out$i 2>&1 & pid[$i]=$!; done
       good=0; for i in 1 2 3; do wait ${pid[$i]}; rc=$?; test $rc = 0 -o $rc = 2 || exit 9; test $rc = 0 && good=$((good + 1)); done
-      test $good -ge 1 && $MRROC trace check same && grep -c ^tick= same && ! ls same.*part)"),
+      test $good -ge 1 && $MRROC trace check same)"),
         0)
         << output;
   }
@@ -115,62 +114,62 @@ TEST_F(Outputs, TwoSimultaneousRunsAreCompleteOrRefused) {
 
 TEST_F(Outputs, SameFileTwiceIsRefused) {
   const std::string text = text_of(brief);
-  expect_refused({"run", brief.string(), "--trace", brief.string()}, "is also the file of deployment");
+  expect_refused({"run", brief.string(), "--record", brief.string()}, "is also the file of deployment");
   std::filesystem::create_symlink(brief, at("link"));
-  expect_refused({"run", brief.string(), "--trace", at("link").string()}, "is also the file of deployment");
+  expect_refused({"run", brief.string(), "--record", at("link").string()}, "is also the file of deployment");
   expect_refused({"run", brief.string(), "--motion", brief.string()}, "is also the file of deployment");
-  expect_refused({"run", brief.string(), "--trace", at("x").string(), "--motion", at("./x").string()}, "--motion");
-  expect_refused({"run", brief.string(), "--trace", at("y").string(), "--black-box", at("y").string()}, "--trace");
-  expect_refused({"run", brief.string(), "--trace", "tasks/draw/draw.toml", "--trace", at("x").string()}, "--trace");
+  expect_refused({"run", brief.string(), "--record", at("x").string(), "--motion", at("./x").string()}, "--motion");
+  expect_refused({"run", brief.string(), "--record", at("y").string(), "--black-box", at("y").string()}, "--record");
+  expect_refused({"run", brief.string(), "--record", "tasks/draw/draw.toml", "--record", at("x").string()}, "--record");
   EXPECT_EQ(text_of(brief), text);
 }
 
-TEST_F(Outputs, StreamGetsTheWholeTrace) {
-  ASSERT_EQ(bash(R"($MRROC run $SHORT --quiet --trace t)"), 0) << output;
+TEST_F(Outputs, StreamGetsTheWholeRecording) {
+  ASSERT_EQ(bash(R"($MRROC run $SHORT --quiet --record t)"), 0) << output;
   const std::string trace = text_of(at("t"));
-  EXPECT_EQ(bash(R"(mkfifo f; cat f > got & $MRROC run $SHORT --quiet --trace f || exit; wait; cmp t got)"), 0)
+  EXPECT_EQ(bash(R"(mkfifo f; cat f > got & $MRROC run $SHORT --quiet --record f || exit; wait; cmp t got)"), 0)
       << output;
-  EXPECT_EQ(bash(R"((sleep 2; cat f > got) & $MRROC run $SHORT --quiet --trace f || exit; wait; cmp t got)"), 0)
+  EXPECT_EQ(bash(R"((sleep 2; cat f > got) & $MRROC run $SHORT --quiet --record f || exit; wait; cmp t got)"), 0)
       << "a late reader: " << output;
-  EXPECT_EQ(bash(R"($MRROC run $SHORT --quiet --trace >(gzip > got.gz) || exit; sleep 0.5; zcat got.gz | cmp t -)"), 0)
+  EXPECT_EQ(bash(R"($MRROC run $SHORT --quiet --record >(gzip > got.gz) || exit; sleep 0.5; zcat got.gz | cmp t -)"), 0)
       << output;
   EXPECT_EQ(
-      bash(R"($MRROC run $SHORT --trace /dev/stdout > got 2> progress || exit; cmp t got && grep -q ready progress)"),
+      bash(R"($MRROC run $SHORT --record /dev/stdout > got 2> progress || exit; cmp t got && grep -q ready progress)"),
       0)
       << output;
-  EXPECT_EQ(bash(R"($MRROC run $SHORT --trace /dev/stdout 2> progress | cmp t -)"), 0) << output;
-  EXPECT_EQ(bash(R"(echo first > got; exec 3>> got; $MRROC run $SHORT --quiet --trace /dev/fd/3 || exit; exec 3>&-
+  EXPECT_EQ(bash(R"($MRROC run $SHORT --record /dev/stdout 2> progress | cmp t -)"), 0) << output;
+  EXPECT_EQ(bash(R"(echo first > got; exec 3>> got; $MRROC run $SHORT --quiet --record /dev/fd/3 || exit; exec 3>&-
       tail -n +2 got | cmp t - && head -1 got | grep -q first)"),
             0)
       << output;
-  EXPECT_EQ(bash(R"($MRROC run $SHORT --quiet --trace /dev/null)"), 0) << output;
+  EXPECT_EQ(bash(R"($MRROC run $SHORT --quiet --record /dev/null)"), 0) << output;
 }
 
-TEST_F(Outputs, TextOfTheRunBetweenTheLinesOfItsTraceIsRefused) {
-  EXPECT_EQ(bash(R"($MRROC run $SHORT --trace /dev/stdout > got 2>&1; test $? = 2 && ! grep -q tick= got)"), 0)
+TEST_F(Outputs, TextOfTheRunInItsRecordingIsRefused) {
+  EXPECT_EQ(bash(R"($MRROC run $SHORT --record /dev/stdout > got 2>&1; test $? = 2 && ! grep -q MCAP got)"), 0)
       << output;
-  EXPECT_EQ(bash(R"($MRROC run $SHORT --trace log > out 2> log; test $? = 2)"), 0) << output;
+  EXPECT_EQ(bash(R"($MRROC run $SHORT --record log > out 2> log; test $? = 2)"), 0) << output;
 }
 
-TEST_F(Outputs, SignalsEndARunWhoseTraceHasNoReader) {
+TEST_F(Outputs, SignalsEndARunWhoseRecordingHasNoReader) {
   for (const char* signal : {"INT", "TERM", "HUP"}) {
     EXPECT_EQ(
         bash(std::string{
-                 R"(mkfifo f 2> /dev/null; set -m; $MRROC run $SHORT --quiet --trace f & pid=$!; sleep 1; kill -)"} +
+                 R"(mkfifo f 2> /dev/null; set -m; $MRROC run $SHORT --quiet --record f & pid=$!; sleep 1; kill -)"} +
              signal + R"( $pid; wait $pid; test $? = 5)"),
         0)
         << signal << output;
   }
   EXPECT_EQ(
       bash(
-          R"(sed '/^name/a start_timeout = 1' $SHORT > soon.toml; mkfifo g; $MRROC run soon.toml --trace g; test $? = 2)"),
+          R"(sed '/^name/a start_timeout = 1' $SHORT > soon.toml; mkfifo g; $MRROC run soon.toml --record g; test $? = 2)"),
       0)
       << output;
   EXPECT_TRUE(has(output, "no process reads the FIFO")) << output;
 }
 
 TEST_F(Outputs, SignalsEndARunWhoseReaderHasStopped) {
-  EXPECT_EQ(bash(R"(mkfifo f; sleep 50 < f & reader=$!; set -m; $MRROC run $SHORT --trace f > log 2>&1 & pid=$!
+  EXPECT_EQ(bash(R"(mkfifo f; sleep 50 < f & reader=$!; set -m; $MRROC run $SHORT --record f > log 2>&1 & pid=$!
       for i in $(seq 100); do kill -0 $pid || break; pgrep -P $pid > /dev/null && started=1
         test "$started" && ! pgrep -P $pid > /dev/null && break; sleep 0.1; done
       sleep 0.5; kill -0 $pid || exit 8; kill -INT $pid; wait $pid; rc=$?; kill $reader; cat log; test $rc = 5)"),
@@ -180,7 +179,7 @@ TEST_F(Outputs, SignalsEndARunWhoseReaderHasStopped) {
 
 TEST_F(Outputs, OneSignalDuringTheTaskEndsARunWhoseReaderHasStopped) {
   EXPECT_EQ(
-      bash(R"(mkfifo f; sleep 50 < f & reader=$!; set -m; $MRROC run $SHORT --trace f --clock real > log 2>&1 & pid=$!
+      bash(R"(mkfifo f; sleep 50 < f & reader=$!; set -m; $MRROC run $SHORT --record f --clock real > log 2>&1 & pid=$!
       for i in $(seq 100); do grep -q "arm .*step" log && break; sleep 0.1; done
       kill -TERM $pid; wait $pid; rc=$?; kill $reader; cat log; test $rc = 5)"),
       0)
@@ -188,29 +187,22 @@ TEST_F(Outputs, OneSignalDuringTheTaskEndsARunWhoseReaderHasStopped) {
 }
 
 TEST_F(Outputs, ReaderThatLeavesIsAnError) {
-  EXPECT_EQ(bash(R"(mkfifo f; head -c 10 f > got & $MRROC run $SHORT --quiet --trace f; test $? = 4)"), 0) << output;
-  EXPECT_TRUE(has(output, "cannot write the trace f: Broken pipe")) << output;
+  EXPECT_EQ(bash(R"(mkfifo f; head -c 10 f > got & $MRROC run $SHORT --quiet --record f; test $? = 4)"), 0) << output;
+  EXPECT_TRUE(has(output, "cannot write the recording f: Broken pipe")) << output;
 }
 
 TEST_F(Outputs, FullDiskAndFileSizeLimitEndTheRun) {
-  EXPECT_EQ(bash(R"($MRROC run $SHORT --quiet --trace /dev/full)"), kSystem) << output;
-  EXPECT_TRUE(has(output, "mrroc: short: cannot write the trace /dev/full: No space left on device")) << output;
-  EXPECT_EQ(bash(R"(ulimit -f 1; $MRROC run $SHORT --quiet --trace t)"), kSystem) << output;
+  EXPECT_EQ(bash(R"($MRROC run $SHORT --quiet --record /dev/full)"), kSystem) << output;
+  EXPECT_TRUE(has(output, "mrroc: short: cannot write the recording /dev/full: No space left on device")) << output;
+  EXPECT_EQ(bash(R"(ulimit -f 1; $MRROC run $SHORT --quiet --record t)"), kSystem) << output;
   EXPECT_TRUE(has(output, "file size limit")) << output;
-  // enough for the memory that the processes share and for a part of the trace, not for the whole
-  folder_.write("pair.toml", short_deployment() +
-                                 "[robots.other]\ntype = \"irb6\"\nprogram = \"irb6_demo\"\nhardware = "
-                                 "\"loopback\"\n");
-  EXPECT_EQ(bash(R"(ulimit -f 900; $MRROC run pair.toml --quiet --trace t; rc=$?; ls t.*.part; exit $rc)"), kSystem)
-      << output;
-  EXPECT_TRUE(has(output, "mrroc: short: cannot write the trace t: File too large")) << output;
-  EXPECT_TRUE(has(output, "t.other.part")) << output;
-  // not even for a part: the process reports it
-  EXPECT_EQ(bash("ulimit -f 900; cd " MRROC_SOURCE_DIR
-                 "; $MRROC run tasks/draw/draw.toml --quiet --black-box none --trace $OLDPWD/t"),
+  // enough for the memory that the processes share and for a part of the recording, not for the whole
+  EXPECT_EQ(bash("ulimit -f 4000; cd " MRROC_SOURCE_DIR
+                 "; $MRROC run tasks/draw/draw.toml --quiet --black-box none --record $OLDPWD/t --record-rate servo"),
             kSystem)
       << output;
-  EXPECT_TRUE(has(output, "mrroc: draw: cannot write the trace " + at("t").string() + ": File too large")) << output;
+  EXPECT_TRUE(has(output, "mrroc: draw: cannot write the recording " + at("t").string() + ": File too large"))
+      << output;
   EXPECT_FALSE(std::filesystem::exists(at("mrroc-black-box"))) << "no task has failed";
 }
 
@@ -230,8 +222,8 @@ TEST_F(Outputs, BlackBoxIsNeverOverwritten) {
       0)
       << output;
   for (const char* name : {"exception-arm", "exception-arm-2", "exception-arm-3", "exception-arm-4"})
-    EXPECT_TRUE(std::filesystem::exists(at("mrroc-black-box") / (std::string{name} + ".trace"))) << name << output;
-  EXPECT_TRUE(has(output, "black box: mrroc-black-box/exception-arm-4.trace")) << output;
+    EXPECT_TRUE(std::filesystem::exists(at("mrroc-black-box") / (std::string{name} + ".mcap"))) << name << output;
+  EXPECT_TRUE(has(output, "black box: mrroc-black-box/exception-arm-4.mcap")) << output;
 }
 
 TEST_F(Outputs, DeploymentMayComeFromAStream) {
@@ -254,15 +246,15 @@ TEST_F(Outputs, EveryProcessReadsTheDeploymentThatTheRunnerHasRead) {
 }
 
 TEST_F(Outputs, OutputToAFullDiskFails) {
-  ASSERT_EQ(bash("$MRROC run $SHORT --quiet --trace t"), 0) << output;
+  ASSERT_EQ(bash("$MRROC run $SHORT --quiet --record t"), 0) << output;
   for (const char* words : {"run --check $SHORT", "trace hash t", "trace check t", "trace check --rules", "--help",
                             "run --help", "--version", "keys k"})
     EXPECT_EQ(bash(std::string{"$MRROC "} + words + " > /dev/full"), kSystem) << words << output;
 }
 
 TEST_F(Outputs, OptionsAreUsedAsTheyAreWritten) {
-  EXPECT_EQ(bash(R"($MRROC run $SHORT --quiet --black-box= --trace t && test -s t)"), 0) << output;
-  EXPECT_EQ(bash(R"($MRROC run --trace= --black-box= $SHORT --quiet)"), 0) << output;
+  EXPECT_EQ(bash(R"($MRROC run $SHORT --quiet --black-box= --record t && test -s t)"), 0) << output;
+  EXPECT_EQ(bash(R"($MRROC run --record= --black-box= $SHORT --quiet)"), 0) << output;
   EXPECT_EQ(bash("$MRROC --version | grep -qx 'mrroc " MRROC_VERSION "'"), 0) << output;
   for (const char* program : {"mrroc_sim", "mrroc_mp", "mrroc_ecp", "irb6_edp", "irb6_drives", "irb6_demo",
                               "mrroc_render", "press_ecp", "force_torque_vsp", "camera_marker"})
@@ -270,9 +262,9 @@ TEST_F(Outputs, OptionsAreUsedAsTheyAreWritten) {
                    " (MRROC++) " MRROC_VERSION "'"),
               0)
         << program << output;
-  for (const char* words :
-       {"--shuffle-start -1", "--shuffle-start 1.5", "--shuffle-start 18446744073709551616",
-        "--shuffle-start=", "--quiet=no", "--trace a --trace b", "--unknown", "--clock fast", "--clock="})
+  for (const char* words : {"--shuffle-start -1", "--shuffle-start 1.5", "--shuffle-start 18446744073709551616",
+                            "--shuffle-start=", "--quiet=no", "--record a --record b", "--record a --trace b",
+                            "--unknown", "--clock fast", "--clock="})
     EXPECT_EQ(bash(std::string{"$MRROC run $SHORT --check "} + words), kUsage) << words << output;
   EXPECT_EQ(bash("$MRROC can scan can0 --patience nan"), kUsage) << output;
   EXPECT_EQ(bash("$MRROC can monitor can0 --count -5"), kUsage) << output;
@@ -280,7 +272,7 @@ TEST_F(Outputs, OptionsAreUsedAsTheyAreWritten) {
 
 TEST_F(Outputs, TooFewOpenFilesAreNamed) {
   for (const int limit : {8, 12, 16, 22, 30, 40, 50, 60, 80}) {
-    const int code = bash("ulimit -n " + std::to_string(limit) + "; $MRROC run $SHORT --quiet --trace t");
+    const int code = bash("ulimit -n " + std::to_string(limit) + "; $MRROC run $SHORT --quiet --record t");
     EXPECT_TRUE(code == 0 || code == kUsage || code == kSystem) << limit << ": " << code << output;
     EXPECT_TRUE(code == 0 || has(output, "open files")) << limit << output;
     EXPECT_FALSE(has(output, "died")) << limit << output;
@@ -288,7 +280,7 @@ TEST_F(Outputs, TooFewOpenFilesAreNamed) {
 }
 
 TEST_F(Outputs, ControlCharactersAreEscaped) {
-  EXPECT_EQ(bash(R"($MRROC run $'no\e[31m.toml' || $MRROC $'\e[31m' || $MRROC run $SHORT --trace $'/no/\e[31m/t' ||
+  EXPECT_EQ(bash(R"($MRROC run $'no\e[31m.toml' || $MRROC $'\e[31m' || $MRROC run $SHORT --record $'/no/\e[31m/t' ||
       $MRROC trace hash $'\e[31m' || printf 'name = "\033[31m"\n' | $MRROC run -)"),
             kUsage);
   EXPECT_FALSE(has(output, "\x1b")) << output;

@@ -54,11 +54,11 @@ void make_keys(const ScratchFolder& folder, const fs::path& deployment) {
 
 TEST(Keys, DeploymentRunsWithThemAndHasTheSameTrace) {
   const ScratchFolder folder;
-  const fs::path plain = folder.path() / "plain.txt", secured = folder.path() / "secured.txt";
-  run_mrroc({"run", "tasks/press/press.toml", "--trace", plain.string()}, kSuccess);
+  const fs::path plain = folder.path() / "plain.mcap", secured = folder.path() / "secured.mcap";
+  run_mrroc({"run", "tasks/press/press.toml", "--record", plain.string()}, kSuccess);
   const fs::path deployment = press_with(folder, "[network]\nkeys = \"keys\"\n");
   make_keys(folder, deployment);
-  run_mrroc({"run", deployment.string(), "--trace", secured.string()}, kSuccess);
+  run_mrroc({"run", deployment.string(), "--record", secured.string()}, kSuccess);
   EXPECT_EQ(trace_hash(secured), trace_hash(plain));
 }
 

@@ -8,7 +8,6 @@
 
 #include "system/client_looks.hpp"
 #include "system/mrroc_run.hpp"
-#include "system/trace_line.hpp"
 
 namespace mrroc::test::several_clients_test {
 namespace {
@@ -23,18 +22,17 @@ bool is_time(double time, double tick, const std::set<double>& zeros) {
 TEST(SeveralClients, EachReadsTheMeasurementsOfItsOwnSteps) {
   const ScratchFolder folder;
   const auto file = folder.write("clients.toml", clients_deployment("clients", kTime, kTime)),
-             trace = folder.path() / "trace";
+             trace = folder.path() / "trace.mcap";
   std::set<std::string> hashes;
   std::string output;
   for (int i = 0; i < 3; ++i) {
-    output = run_mrroc({"run", file.string(), "--quiet", "--trace", trace.string()}, 0);
+    output = run_mrroc({"run", file.string(), "--quiet", "--record", trace.string()}, 0);
     hashes.insert(trace_hash(trace));
   }
   EXPECT_EQ(hashes.size(), 1u);
 
   std::set<double> zeros;  // a zero of one client applies to all
-  for (const char* client : {"mp", "left"})
-    zeros.insert(numbers_after(output, client + std::string(" | zero at ")).at(0));
+  for (const char* client : {"mp", "left"}) zeros.insert(number_after(output, client + std::string(" | zero at ")));
   std::map<double, std::set<std::string>> asked;
   const auto looks = looks_of(trace);
   ASSERT_EQ(looks.size(), 3u);

@@ -38,8 +38,8 @@ TEST(StateMachine, EntersItsStatesInOrderEquallyInEveryRun) {
   const ScratchFolder folder;
   std::vector<std::string> hashes;
   for (const std::string name : {"first", "second"}) {
-    const auto trace = folder.path() / name;
-    const std::string output = run_mrroc({"run", kTask + "shuttle.toml", "--trace", trace.string()}, 0);
+    const auto trace = folder.path() / (name + ".mcap");
+    const std::string output = run_mrroc({"run", kTask + "shuttle.toml", "--record", trace.string()}, 0);
     EXPECT_EQ(states_of(output), "bring both more back bring both more home ") << output;
     EXPECT_NE(output.find("shuttle succeeded"), std::string::npos) << output;
     hashes.push_back(trace_hash(trace));

@@ -12,11 +12,11 @@
 namespace mrroc::test::trace_check_test {
 namespace {
 
-using cli::trace::check_text;
+using cli::trace::check;
 using cli::trace::Mutation;
 using cli::trace::Random;
 using cli::trace::read_trace;
-using cli::trace::TraceText;
+using cli::trace::TraceSteps;
 
 constexpr int kHolds = 0, kViolated = 1, kMalformed = 2;
 constexpr int kPlaces = 10;  // places at which each mutation is tried
@@ -49,17 +49,18 @@ std::vector<std::string> other_tasks() {
   return names;
 }
 
-/// "trace_0: 463 steps of 5 instructions of 1 process: 36 rules hold", and nothing else.
+/// "trace_0.mcap: 463 steps of 5 instructions of 1 process: 36 rules hold", and nothing else.
 bool says_that_all_rules_hold(std::string output) {
   if (const std::size_t plural = output.find("processes"); plural != std::string::npos) output.erase(plural + 7, 2);
   int steps = 0, instructions = 0, processes = 0, rules = 0, end = 0;
-  const int found = std::sscanf(output.c_str(), "trace_0: %d steps of %d instructions of %d process: %d rules hold\n%n",
-                                &steps, &instructions, &processes, &rules, &end);
+  const int found =
+      std::sscanf(output.c_str(), "trace_0.mcap: %d steps of %d instructions of %d process: %d rules hold\n%n", &steps,
+                  &instructions, &processes, &rules, &end);
   return found == 4 && end == std::ssize(output) && steps > 0 && instructions > 0 && processes > 0 && rules > 0;
 }
 
 /// As if each process had failed at some of its steps: its black box would keep the rules, too.
-void expect_laws_of_black_boxes(const TraceText& whole) {
+void expect_laws_of_black_boxes(const TraceSteps& whole) {
   constexpr std::size_t kSteps = 50, kBoxes = 20;
   std::set<std::string> processes;
   for (std::size_t i = 0; i < whole.items.size(); ++i)
@@ -68,8 +69,8 @@ void expect_laws_of_black_boxes(const TraceText& whole) {
     const std::size_t lines = cli::trace::line_count(whole, process);
     for (std::size_t place = 0; place < kBoxes; ++place) {
       const std::size_t begin = place * lines / kBoxes;
-      const TraceText box = cli::trace::black_box_of(whole, process, begin, begin + kSteps);
-      EXPECT_EQ(check_text(box.text()).text(), "") << process << " from line " << begin;
+      const TraceSteps box = cli::trace::black_box_of(whole, process, begin, begin + kSteps);
+      EXPECT_EQ(check(box).text(), "") << process << " from line " << begin;
     }
   }
 }
@@ -89,15 +90,15 @@ INSTANTIATE_TEST_SUITE_P(Tasks, TraceOfTask, testing::ValuesIn(other_tasks()),
                          [](const auto& task) { return task.param; });
 
 /// Tries every mutation at some places of a trace. Returns the names of those with a suitable place.
-std::set<std::string> spoil(const TraceText& original) {
+std::set<std::string> spoil(const TraceSteps& original) {
   std::set<std::string> tried;
   fakes::check_property(kPlaces, [&] {
     Random random(*rc::gen::arbitrary<std::uint64_t>());
     for (const Mutation& mutation : cli::trace::all_mutations()) {
-      TraceText spoilt = original;
+      TraceSteps spoilt = original;
       if (!mutation.apply(spoilt, random)) continue;
       tried.insert(mutation.name);
-      if (check_text(spoilt.text()).rules.empty()) RC_FAIL(std::string{mutation.name} + " is not found");
+      if (check(spoilt).rules.empty()) RC_FAIL(std::string{mutation.name} + " is not found");
     }
   });
   return tried;
@@ -105,42 +106,46 @@ std::set<std::string> spoil(const TraceText& original) {
 
 TEST(TraceCheck, FindsEveryMutationOfARealTrace) {
   const ScratchFolder folder;
-  const auto press = folder.path() / "press.trace", paused = folder.path() / "paused.trace",
-             pick = folder.path() / "pick.trace";
-  run_mrroc({"run", "tasks/press_mp/press_mp.toml", "--quiet", "--trace", press.string()}, 0);
-  run_mrroc({"run", press_with_pause(folder).string(), "--quiet", "--trace", paused.string()}, 5);
-  run_mrroc({"run", "tasks/pick/pick.toml", "--quiet", "--trace", pick.string()}, 0);
+  const auto press = folder.path() / "press.mcap", paused = folder.path() / "paused.mcap",
+             pick = folder.path() / "pick.mcap";
+  run_mrroc({"run", "tasks/press_mp/press_mp.toml", "--quiet", "--record", press.string()}, 0);
+  run_mrroc({"run", press_with_pause(folder).string(), "--quiet", "--record", paused.string()}, 5);
+  run_mrroc({"run", "tasks/pick/pick.toml", "--quiet", "--record", pick.string()}, 0);
   std::set<std::string> tried;
   for (const auto& trace : {press, paused, pick}) {
-    const TraceText original = read_trace(trace);
-    ASSERT_TRUE(check_text(original.text()).rules.empty());
+    const TraceSteps original = read_trace(trace);
+    ASSERT_TRUE(check(original).rules.empty());
     tried.merge(spoil(original));
   }
   EXPECT_GT(tried.size(), 35U) << "of " << cli::trace::all_mutations().size();
 }
 
-TEST(TraceCheck, ReportsViolationsNotesAndMalformedLines) {
+TEST(TraceCheck, ReportsViolationsNotesAndMalformedFiles) {
   const ScratchFolder folder;
-  const auto trace = folder.path() / "press.trace";
-  run_mrroc({"run", "tasks/press/press.toml", "--quiet", "--trace", trace.string()}, 0);
+  const auto trace = folder.path() / "press.mcap", wrong = folder.path() / "wrong.mcap";
+  run_mrroc({"run", "tasks/press/press.toml", "--quiet", "--record", trace.string()}, 0);
 
-  TraceText spoilt = read_trace(trace);
-  for (std::size_t i = 80; i < 100; ++i) spoilt.line(i).tick += 1;
-  const auto wrong = folder.write("wrong.trace", spoilt.text());
+  TraceSteps spoilt = read_trace(trace);
+  for (std::size_t i = 80; i < 100; ++i) spoilt.line(i).tick -= 1;
+  spoilt.write(wrong);
   const std::string ten = run_mrroc({"trace", "check", wrong.string()}, kViolated);
-  EXPECT_NE(ten.find("wrong.trace:82: line-tick: tick="), std::string::npos) << ten;
+  EXPECT_NE(ten.find("wrong.mcap:81: line-tick: tick="), std::string::npos) << ten;
   EXPECT_NE(ten.find("20 violations, the first 10 are shown (--all: every one)"), std::string::npos) << ten;
   EXPECT_EQ(std::count(ten.begin(), ten.end(), '\n'), 11);
   const std::string all = run_mrroc({"trace", "check", "--all", wrong.string()}, kViolated);
   EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), 21) << all;
 
-  const std::string text = text_of(trace);
-  const auto killed = folder.write("killed.trace", text.substr(0, text.rfind('\n', text.find("step=100 ")) + 1));
-  EXPECT_NE(run_mrroc({"trace", "check", killed.string()}, kHolds).find(": note: the trace of process arm stops here"),
+  const std::string bytes = text_of(trace);
+  const auto killed = folder.write("killed.mcap", bytes.substr(0, bytes.size() / 2));
+  const std::string notes = run_mrroc({"trace", "check", killed.string()}, kHolds);
+  EXPECT_NE(notes.find(": note: the trace of process arm stops here"), std::string::npos) << notes;
+  EXPECT_NE(notes.find("killed.mcap: note: ends early"), std::string::npos) << notes;
+  std::string damaged = bytes;
+  damaged[damaged.size() / 2] = static_cast<char>(damaged[damaged.size() / 2] ^ 1);
+  EXPECT_NE(run_mrroc({"trace", "check", folder.write("broken.mcap", damaged).string()}, kMalformed)
+                .find("broken.mcap: byte "),
             std::string::npos);
-  const auto broken = folder.write("broken.trace", text.substr(0, text.find("step=100 ") + 200));
-  EXPECT_NE(run_mrroc({"trace", "check", broken.string()}, kMalformed).find("broken.trace:"), std::string::npos);
-  EXPECT_NE(run_mrroc({"trace", "check", "README.md"}, kMalformed).find("README.md:1: is not a trace"),
+  EXPECT_NE(run_mrroc({"trace", "check", "README.md"}, kMalformed).find("README.md: is not an MCAP file"),
             std::string::npos);
   run_mrroc({"trace", "check", "no/such/trace"}, kMalformed);
   run_mrroc({"trace", "check"}, kMalformed);

@@ -38,9 +38,9 @@ std::string end_of(const std::string& output) {
 
 /// Runs the deployment; `held`: twice the newest thread of the controller's stand-in is held for 2 s.
 Result run_once(const fs::path& deployment, const ScratchFolder& folder, bool held = false) {
-  const fs::path trace = folder.path() / "trace";
+  const fs::path trace = folder.path() / "trace.mcap";
   fs::remove(trace);
-  MrrocRun run({"run", deployment.string(), "--trace", trace.string()});
+  MrrocRun run({"run", deployment.string(), "--record", trace.string()});
   for (int i = 0; held && i < 2; ++i) {
     EXPECT_TRUE(run.wait_for_output("JointLine")) << run.out() << run.err();
     const HeldThreads thread(run.child("arm_drives"), HeldThreads::Which::newest);

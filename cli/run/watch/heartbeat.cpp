@@ -6,9 +6,12 @@
 #include <sys/random.h>
 
 #include <algorithm>
-#include <charconv>
+#include <cstring>
+#include <span>
 #include <stdexcept>
 #include <string>
+
+#include "core/number_text.hpp"
 
 namespace mrroc::cli {
 
@@ -70,24 +73,13 @@ std::optional<Heartbeat> open(const std::uint8_t* data, std::size_t size, const 
                    static_cast<std::uint32_t>(words[7])};
 }
 
-std::string to_hex(const HeartbeatKey& key) {
-  constexpr char kDigits[] = "0123456789abcdef";
-  std::string text;
-  for (const std::uint8_t byte : key) {
-    text += kDigits[byte >> 4];
-    text += kDigits[byte & 15];
-  }
-  return text;
-}
+std::string to_hex(const HeartbeatKey& key) { return core::hexadecimal(std::as_bytes(std::span(key))); }
 
 std::optional<HeartbeatKey> key_of_hex(const std::string& text) {
   HeartbeatKey key{};
-  if (text.size() != 2 * key.size()) return std::nullopt;
-  for (std::size_t i = 0; i < key.size(); ++i) {
-    const char* const digits = text.data() + 2 * i;
-    const auto [end, problem] = std::from_chars(digits, digits + 2, key[i], 16);
-    if (problem != std::errc{} || end != digits + 2) return std::nullopt;
-  }
+  const auto bytes = core::bytes_of_hexadecimal(text);
+  if (!bytes || bytes->size() != key.size()) return std::nullopt;
+  std::memcpy(key.data(), bytes->data(), key.size());
   return key;
 }
 

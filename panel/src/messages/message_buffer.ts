@@ -49,5 +49,5 @@ function matches(message: Message, words: string[]): boolean {
 
 /** The file of a black box that a message names, or an empty text. */
 export function black_box_of(text: string): string {
-  return /black box: (\S+\.trace)/.exec(text)?.[1] ?? '';
+  return /black box: (\S+\.mcap)/.exec(text)?.[1] ?? '';
 }

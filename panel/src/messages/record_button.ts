@@ -3,7 +3,7 @@ import type { Session } from '../session';
 import { refusal_of } from '../state/permissions';
 
 /**
- * Writes the last steps of the tasks on the runner's machine to the file DEPLOYMENT_TICK.trace in the working folder of
+ * Writes the last steps of the tasks on the runner's machine to the file DEPLOYMENT_TICK.mcap in the working folder of
  * the run; the reply names its path. Hook: `[data-verb="record"]`.
  */
 export function record_button(session: Session): { node: HTMLButtonElement; update(): void } {
@@ -12,7 +12,7 @@ export function record_button(session: Session): { node: HTMLButtonElement; upda
   const node = button('Record', { title, 'data-title': title, 'data-verb': 'record' });
   node.addEventListener('click', () => {
     if (is_refused(node)) session.announce(node.title, true);
-    else void session.request({ verb: 'record', file: `${store.deployment}_${store.tick}.trace` });
+    else void session.request({ verb: 'record', file: `${store.deployment}_${store.tick}.mcap` });
   });
   return { node, update: () => set_refusal(node, refusal_of('record', store.situation)) };
 }

@@ -5,11 +5,12 @@
 #include <vector>
 
 #include "core/shared_memory.hpp"
-#include "process/record/text_line.hpp"
+#include "process/record/encoded_step.hpp"
+#include "recording/recorded_step.hpp"
 
 namespace mrroc::process {
 
-/// The last steps of one process as lines of a trace, in memory that outlives it: for a task that is killed, crashes,
+/// The last steps of one process, in memory that outlives it: for a task that is killed, crashes,
 /// or is ended because of another process. The runner creates it, the process attaches through the inherited
 /// descriptor; it is anonymous (memfd), so it leaves no file.
 class SharedBlackBox {
@@ -22,8 +23,9 @@ class SharedBlackBox {
   /// Descriptor of a memory that was created here; -1 otherwise. Closed with this object.
   int fd() const noexcept { return mapped_.fd(); }
 
-  /// Replaces the oldest line by a copy of this one. Task's thread; neither allocates nor blocks.
-  void record(const TextLine& line) noexcept;
+  /// Replaces the oldest step by a copy of this one, which was made at this tick. Task's thread; neither allocates nor
+  /// blocks.
+  void record(Tick tick, const EncodedStep& step) noexcept;
 
   /// The number of the file to which the task has written its black box (black_box_path); 0: not written.
   void note_file(std::uint64_t number) noexcept;
@@ -31,9 +33,9 @@ class SharedBlackBox {
   /// Bytes of memory of each.
   static std::size_t memory_size() noexcept;
 
-  /// The last complete lines, at most BlackBox::kSteps, the oldest first. While the process records, lines that it
+  /// The last complete steps, at most BlackBox::kSteps, the oldest first. While the process records, steps that it
   /// replaces meanwhile are left out: those that remain are whole, without a gap. Any thread; never delays the process.
-  std::vector<TextLine> lines() const;
+  std::vector<recording::RecordedStep> steps() const;
 
  private:
   struct Memory;

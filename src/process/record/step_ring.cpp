@@ -15,22 +15,22 @@ StepRing StepRing::create() { return StepRing(Ring::create("mrroc-steps", kRingW
 
 StepRing StepRing::attach(int fd) { return StepRing(Ring::attach(fd, kRingWhat)); }
 
-void StepRing::add(Tick tick, const TextLine& line, bool waits) noexcept {
+void StepRing::add(Tick tick, const EncodedStep& step, bool waits) noexcept {
   Entry* const entry = ring_.claim(waits);
   if (entry == nullptr) return;
   entry->tick = tick;
-  entry->size = line.view().size();
-  entry->cut = line.cut();
-  std::memcpy(entry->text.data(), line.view().data(), entry->size);
+  entry->size = step.view().size();
+  std::memcpy(entry->bytes.data(), step.view().data(), entry->size);
   ring_.publish();
 }
 
-std::optional<RecordedStep> StepRing::take() {
+std::optional<recording::RecordedStep> StepRing::take() {
   const Entry* const entry = ring_.front();
   if (entry == nullptr) return std::nullopt;
   // a corrupted process may have written any size
-  const std::size_t size = std::min(entry->size, entry->text.size());
-  std::optional<RecordedStep> step{{entry->tick, {entry->text.data(), size}, entry->cut}};
+  const std::size_t size = std::min(entry->size, entry->bytes.size());
+  std::optional<recording::RecordedStep> step{
+      {entry->tick, {entry->bytes.begin(), entry->bytes.begin() + static_cast<std::ptrdiff_t>(size)}}};
   ring_.pop();
   return step;
 }

@@ -4,21 +4,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <utility>
 
 #include "core/shared_ring.hpp"
 #include "mrroc/types.hpp"
-#include "process/record/text_line.hpp"
+#include "process/record/encoded_step.hpp"
+#include "recording/recorded_step.hpp"
 
 namespace mrroc::process {
-
-/// A step on its way to the recording of a run.
-struct RecordedStep {
-  Tick tick = 0;     ///< at which the process made it
-  std::string line;  ///< of a trace
-  bool cut = false;  ///< it was too long
-};
 
 /// Carries the steps of one process to the runner, which records them (core::SharedRing). Many steps fit in; when the
 /// runner does not take them in time, under the real clock a step is dropped and counted, under a simulated clock time
@@ -35,13 +28,13 @@ class StepRing {
   /// Descriptor of a memory that was created here; -1 otherwise. Closed with this object.
   int fd() const noexcept { return ring_.fd(); }
 
-  /// Adds a step. `waits`: as of core::SharedRing::claim. Task's thread; does not allocate.
-  void add(Tick tick, const TextLine& line, bool waits) noexcept;
+  /// Adds a step that was made at this tick. `waits`: as of core::SharedRing::claim. Task's thread; does not allocate.
+  void add(Tick tick, const EncodedStep& step, bool waits) noexcept;
   /// The process makes no further step. Task's thread.
   void end() noexcept { ring_.end(); }
 
   /// The oldest step, or nothing. The runner's one thread.
-  std::optional<RecordedStep> take();
+  std::optional<recording::RecordedStep> take();
   /// Whether the process has ended in order: it was not killed. Any thread.
   bool ended() const noexcept { return ring_.ended(); }
   /// Steps that were added, and those that were dropped. Any thread.
@@ -52,8 +45,7 @@ class StepRing {
   struct Entry {
     Tick tick;
     std::size_t size;
-    bool cut;
-    std::array<char, TextLine::kCapacity> text;
+    std::array<std::byte, EncodedStep::kCapacity> bytes;
   };
   using Ring = core::SharedRing<Entry, kSteps>;
 

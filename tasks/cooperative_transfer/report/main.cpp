@@ -6,11 +6,11 @@
 #include "cooperative_transfer/report/report.hpp"
 #include "process/standard_files.hpp"
 
-/// cooperative_transfer_report TRACE [OUT]: figures of one run. OUT.dat gets the steps, for gnuplot; OUT.txt a tick
+/// cooperative_transfer_report RECORDING [OUT]: figures of one run. OUT.dat gets the steps, for gnuplot; OUT.txt a tick
 /// half way.
 int main(int argc, char** argv) {
   mrroc::process::open_standard_files();
-  if (argc < 2) return std::fprintf(stderr, "usage: cooperative_transfer_report TRACE [OUT]\n"), 2;
+  if (argc < 2) return std::fprintf(stderr, "usage: cooperative_transfer_report RECORDING [OUT]\n"), 2;
   try {
     const mrroc::transfer::Report report = mrroc::transfer::read_report(argv[1]);
     constexpr double kDegrees = 57.29577951308232;

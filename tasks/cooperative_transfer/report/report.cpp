@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <string>
+#include <variant>
 
+#include "cli/trace/reader.hpp"
 #include "cooperative_transfer/transfer_path.hpp"
 #include "geometry/rigid_motion.hpp"
 #include "language/cooperation/object_path.hpp"
@@ -21,24 +21,15 @@ constexpr double kServoPeriod = 0.002;                            // s, the depl
 constexpr double kToolMass = 2.04;                                // kg, of gripper and adapter by their MJCF
 constexpr std::array<double, 2> kToolCentre{0.002157, 0.002059};  // m, x and y, in the wrist's frame
 
-/// The numbers after `field`, from `from` on; empty when the line does not have it.
-std::vector<double> numbers(const std::string& line, const std::string& field, std::size_t from = 0) {
-  std::vector<double> values;
-  const std::size_t at = line.find(field, from);
-  if (at == std::string::npos) return values;
-  const std::size_t begin = at + field.size();
-  std::istringstream text(line.substr(begin, line.find(' ', begin) - begin));
-  for (std::string value; std::getline(text, value, ',');) values.push_back(std::stod(value));
-  return values;
+template <class Entry>
+const Entry& entry_of(const std::vector<Entry>& entries, const std::string& name) {
+  for (const Entry& entry : entries)
+    if (entry.name == name) return entry;
+  throw std::runtime_error("a step without " + name);
 }
 
-std::vector<double> numbers_of(const std::string& line, const std::string& device, const std::string& field) {
-  const std::size_t at = line.find(" " + device + " ");
-  return at == std::string::npos ? std::vector<double>{} : numbers(line, " " + field + "=", at);
-}
-
-Pose pose_of(const std::vector<double>& v) {
-  if (v.size() < 7) throw std::runtime_error("a line without a pose");
+Pose pose_of(const cli::trace::Numbers& v) {
+  if (v.size() < 7) throw std::runtime_error("a step without a pose");
   Pose pose = Pose::Identity();
   pose.translation() << v[0], v[1], v[2];
   pose.linear() = Eigen::Quaterniond(v[3], v[4], v[5], v[6]).toRotationMatrix();
@@ -46,12 +37,12 @@ Pose pose_of(const std::vector<double>& v) {
 }
 
 /// The bar's wrench on an arm's grip, in the world's axes (those of both bases), without the tool's weight.
-Wrench wrench_of(const std::string& line, const std::string& arm, const Arms& arms) {
-  const Eigen::Matrix3d axes = pose_of(numbers_of(line, "robot=" + arm, "pose")).linear();
+Wrench wrench_of(const cli::trace::Line& line, const std::string& arm, const Arms& arms) {
+  const Eigen::Matrix3d axes = pose_of(entry_of(line.robots, arm).pose).linear();
   const Eigen::Vector3d weight(0, 0, -9.81 * kToolMass);
   const Eigen::Vector3d centre(kToolCentre[0], kToolCentre[1], arms.tool_centre - arms.grip);
-  const std::vector<double> v = numbers_of(line, "sensor=" + arm + "_wrist", "values");
-  if (v.size() != 6) throw std::runtime_error("a line without a wrench");
+  const cli::trace::Numbers& v = entry_of(line.sensors, arm + "_wrist").values;
+  if (v.size() != 6) throw std::runtime_error("a step without a wrench");
   const Eigen::Vector3d force(v[0], v[1], v[2]), torque(v[3], v[4], v[5]);
   Wrench wrench;
   wrench << axes * force - weight,
@@ -78,37 +69,37 @@ Report read_report(const std::filesystem::path& trace, const Arms& arms) {
   const std::vector<Part> parts{
       {way::lift(), &kNear}, {way::carry(arms), &kFree}, {way::lower(), &kNear}, {way::put_down(), &kTouch}};
   Report report;
-  std::ifstream file(trace);
-  std::string last;
+  cli::trace::Reader reader(trace);
+  std::uint64_t last = 0;
   std::size_t moves = 0;  // cooperative ones
   std::optional<ObjectPath> path;
   Tick begin = 0, first = 0;
   Pose held = Pose::Identity();
-  for (std::string line; std::getline(file, line);) {
-    if (line.find(" process=mp ") == std::string::npos) continue;
-    if (const auto skew = numbers(line, " skew="); !skew.empty())
-      report.skew = std::max(report.skew, static_cast<std::uint64_t>(skew[0]));
-    if (line.find(" move=\"CooperativeMotion\"") == std::string::npos) continue;
-    const std::string instruction = std::to_string(static_cast<int>(numbers(line, " instruction=").at(0)));
-    const Tick tick = static_cast<Tick>(numbers_of(line, "sensor=tracker", "tick").at(0));
-    if (instruction != last) {
-      last = instruction;
+  for (auto item = reader.next(); !std::holds_alternative<std::monostate>(item); item = reader.next()) {
+    const auto* const line = std::get_if<cli::trace::Line>(&item);
+    if (line == nullptr || line->process != "mp") continue;
+    report.skew = std::max(report.skew, line->skew.value_or(0));
+    if (!line->is_move || line->name != "CooperativeMotion") continue;
+    const cli::trace::SensorEntry& tracker = entry_of(line->sensors, "tracker");
+    const Tick tick = tracker.tick;
+    if (line->instruction != last) {
+      last = line->instruction;
       ++moves;
       path.reset();
       if (moves < 2 || moves - 2 >= parts.size()) continue;  // the first one holds the bar where it is
       path.emplace(parts[moves - 2].poses, *parts[moves - 2].limits);
-      const std::size_t start = line.find(",start");
-      if (start == std::string::npos) throw std::runtime_error("a motion without a start");
-      begin = std::stoull(line.substr(start + 6));
+      const auto& command = line->robots.at(0).command;
+      if (!command || command->start_tick == 0) throw std::runtime_error("a motion without a start");
+      begin = command->start_tick;
       if (moves == 2) {
         first = begin;
-        held = parts[0].poses.front().inverse() * pose_of(numbers_of(line, "sensor=tracker", "values"));
+        held = parts[0].poses.front().inverse() * pose_of(tracker.values);
       }
     }
     if (!path) continue;
-    report.complete = moves == 1 + parts.size() && line.find(" end") != std::string::npos;
+    report.complete = moves == 1 + parts.size() && line->ends();
     const double time = (static_cast<double>(tick) - static_cast<double>(begin)) * kServoPeriod;
-    const Pose there = path->at(time), bar = pose_of(numbers_of(line, "sensor=tracker", "values"));
+    const Pose there = path->at(time), bar = pose_of(tracker.values);
     const Pose wanted = there * held;
     ReportStep step;
     step.tick = tick;
@@ -119,7 +110,7 @@ Report read_report(const std::filesystem::path& trace, const Arms& arms) {
       step.way_off = (bar.translation() - there.translation()).norm();
       step.turn_off = angle(bar, there);
     }
-    const Wrench left = wrench_of(line, "left", arms), right = wrench_of(line, "right", arms);
+    const Wrench left = wrench_of(*line, "left", arms), right = wrench_of(*line, "right", arms);
     step.internal = bar.linear().transpose() * (left - right).head<3>() / 2;
     step.internal_torque = bar.linear().transpose() * (left - right).tail<3>() / 2;
     step.weight = -left.z() - right.z();

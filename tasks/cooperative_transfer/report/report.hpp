@@ -19,9 +19,9 @@ struct ReportStep {
   double weight = 0;                                          ///< N, borne by both arms
 };
 
-/// The result of a run of the task, read from its trace: the bar's pose by the tracker against the path at the same
+/// The result of a run of the task, read from its recording: the bar's pose by the tracker against the path at the same
 /// tick, and the wrenches in both wrists. Internal force: half of the difference of the forces of the bar on the arms
-/// (Uchiyama and Dauchez), from the trace's raw sensor values, all steps from the lift until it is put down.
+/// (Uchiyama and Dauchez), from the recording's raw sensor values, all steps from the lift until it is put down.
 struct Report {
   std::vector<ReportStep> steps;
   std::uint64_t skew = 0;  ///< ticks, worst of all Moves
@@ -36,7 +36,7 @@ struct Report {
   double worst_internal_torque() const;  ///< N m
 };
 
-/// Throws std::runtime_error when the file is not a trace of the task.
+/// Throws std::runtime_error when the file is not a recording of the task.
 Report read_report(const std::filesystem::path& trace, const Arms& arms = kSixAxes);
 
 }  // namespace mrroc::transfer

@@ -18,7 +18,7 @@ AgentOrder some_order() {
   order.machines = {"10.0.0.1", "10.0.0.2"};
   order.beat_port = 9350;
   order.key = new_beat_key();
-  order.trace = true;
+  order.record = true;
   order.black_box = true;
   order.motion = "/a folder/motion";
   return order;
@@ -27,6 +27,17 @@ AgentOrder some_order() {
 TEST(AgentOrder, RoundTrips) {
   const AgentOrder order = some_order();
   EXPECT_EQ(order_of_lines(to_lines(order)), order);
+}
+
+TEST(StepText, RoundTrips) {
+  const recording::RecordedStep step{17, {std::byte{0}, std::byte{0xff}, std::byte{0x1a}}};
+  EXPECT_EQ(to_text(step), "17 00ff1a");
+  const auto read = step_of(to_text(step));
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->tick, 17U);
+  EXPECT_EQ(read->cdr, step.cdr);
+  for (const char* const text : {"", "17 0", "17 0g", "x 00", "-1 00", "17 00 00", "17  00"})
+    EXPECT_FALSE(step_of(text)) << text;
 }
 
 TEST(AgentOrder, RequiresEveryLine) {

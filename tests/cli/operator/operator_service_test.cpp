@@ -146,28 +146,28 @@ TEST(OperatorService, OneClientHoldsCommandAndStopIsEverybodys) {
 
 TEST(OperatorService, EveryClientRecordsWithoutCommandAndNothingIsNoted) {
   OperatorRig rig;
-  EXPECT_EQ(rig.request(kA, "record a.trace").back().refusal, Refusal::not_allowed) << "the run has no black boxes";
+  EXPECT_EQ(rig.request(kA, "record a.mcap").back().refusal, Refusal::not_allowed) << "the run has no black boxes";
   std::vector<std::string> files;
   rig.service.record_with([&files](const std::string& file) {
     files.push_back(file);
-    if (file == "early.trace") throw std::logic_error("no task has made a step");
-    if (file == "old.trace") throw std::runtime_error("the black box old.trace: is a file that exists");
+    if (file == "early.mcap") throw std::logic_error("no task has made a step");
+    if (file == "old.mcap") throw std::runtime_error("the black box old.mcap: is a file that exists");
     return "50 steps of arm; black box: " + file;
   });
   rig.next_tick();
   EXPECT_TRUE(rig.request(kA, "command").back().ok());
   const std::vector<config::Event> noted = rig.noted;
-  const VerbReply reply = rig.request(kB, "record new.trace").back();
+  const VerbReply reply = rig.request(kB, "record new.mcap").back();
   EXPECT_TRUE(reply.ok()) << to_text(reply);
-  EXPECT_EQ(reply.text, "50 steps of arm; black box: new.trace");
+  EXPECT_EQ(reply.text, "50 steps of arm; black box: new.mcap");
   EXPECT_EQ(reply.tick, 0);
   EXPECT_NE(rig.published.back().find("record by b: 50 steps of arm"), std::string::npos) << rig.published.back();
-  EXPECT_EQ(rig.request(kB, "record early.trace").back().refusal, Refusal::not_allowed);
-  const VerbReply refused = rig.request(kB, "record old.trace").back();
+  EXPECT_EQ(rig.request(kB, "record early.mcap").back().refusal, Refusal::not_allowed);
+  const VerbReply refused = rig.request(kB, "record old.mcap").back();
   EXPECT_EQ(refused.refusal, Refusal::invalid_argument);
   EXPECT_NE(refused.text.find("exists"), std::string::npos) << refused.text;
   EXPECT_FALSE(refused.expected.empty());
-  EXPECT_EQ(files, (std::vector<std::string>{"new.trace", "early.trace", "old.trace"}));
+  EXPECT_EQ(files, (std::vector<std::string>{"new.mcap", "early.mcap", "old.mcap"}));
   rig.next_tick();
   EXPECT_EQ(rig.noted.size(), noted.size());
 }

@@ -67,9 +67,9 @@ TEST(VerbRequest, SentLineIsAJsonObject) {
 
 TEST(VerbRequest, FilesHaveThePathsOfTheSystem) {
   VerbReply refusal;
-  const auto typed = parse_typed("record my runs/last steps.trace", refusal);
+  const auto typed = parse_typed("record my runs/last steps.mcap", refusal);
   ASSERT_TRUE(typed) << to_text(refusal);
-  EXPECT_EQ(typed->argument("file"), "my runs/last steps.trace");
+  EXPECT_EQ(typed->argument("file"), "my runs/last steps.mcap");
   EXPECT_TRUE(parse_json(R"({"verb":"record","file":")" + std::string(4096, 'x') + "\"}", refusal));
   EXPECT_EQ(sent(R"({"verb":"record","file":")" + std::string(4097, 'x') + "\"}"), Refusal::invalid_argument);
   EXPECT_EQ(sent(R"({"verb":"record","file":"a\u0000b"})"), Refusal::invalid_argument);

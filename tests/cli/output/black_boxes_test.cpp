@@ -4,11 +4,12 @@
 #include <sys/stat.h>
 
 #include <fstream>
+#include <span>
 #include <sstream>
 #include <stdexcept>
 
-#include "cli/trace/format_line.hpp"
-#include "cli/trace/trace_text.hpp"
+#include "cli/trace/step_of_line.hpp"
+#include "cli/trace/trace_steps.hpp"
 #include "mrroc/testing/scratch_folder.hpp"
 
 namespace mrroc::cli::black_boxes_test {
@@ -26,9 +27,12 @@ class BlackBoxesTest : public testing::Test {
     for (const trace::Item& item : example.items) {
       const auto* const line = std::get_if<trace::Line>(&item);
       if (line == nullptr || boxes.fd_of(line->process) < 0) continue;
-      process::TextLine text;
-      text << trace::format_line(*line);
-      process::SharedBlackBox::attach(boxes.fd_of(line->process)).record(text);
+      const std::vector<std::byte> bytes = messages::to_cdr(trace::to_message(*line, 2'000'000));
+      process::EncodedStep step;
+      step.clear();
+      for (const std::byte byte : std::span(bytes).subspan(step.view().size()))
+        step << std::to_integer<std::uint8_t>(byte);
+      process::SharedBlackBox::attach(boxes.fd_of(line->process)).record(line->made, step);
     }
   }
   static std::string text_of(const std::filesystem::path& file) {
@@ -39,51 +43,52 @@ class BlackBoxesTest : public testing::Test {
 
   task_test::ScratchFolder folder;
   config::Deployment deployment;
+  const std::string text = "[deployment]\nname = \"t\"\n";
   std::vector<PlannedProcess> plan;
-  trace::TraceText example = trace::example_trace();
+  trace::TraceSteps example = trace::example_trace();
 };
 
-TEST_F(BlackBoxesTest, RecordOfARunIsOneTraceOfAllTasks) {
-  const BlackBoxes boxes(folder / "boxes", deployment, plan);
+TEST_F(BlackBoxesTest, RecordOfARunHasTheStepsOfAllTasks) {
+  const BlackBoxes boxes(folder / "boxes", deployment, text, plan);
   make_steps(boxes);
-  const std::string reply = boxes.record(folder / "x/../now.trace");
-  EXPECT_NE(reply.find(" steps of arm, mp; black box: " + (folder / "now.trace").string()), std::string::npos) << reply;
-  const trace::Found found = trace::check_text(text_of(folder / "now.trace"));
+  const std::string reply = boxes.record(folder / "x/../now.mcap");
+  EXPECT_NE(reply.find(" steps of arm, mp; black box: " + (folder / "now.mcap").string()), std::string::npos) << reply;
+  const trace::Found found = trace::check(folder / "now.mcap");
   EXPECT_EQ(found.text(), "");
   EXPECT_EQ(found.verdict.processes, 2U);
   const std::size_t arm = std::min<std::size_t>(trace::line_count(example, "arm"), 50);
   const std::size_t mp = std::min<std::size_t>(trace::line_count(example, "mp"), 50);
   EXPECT_EQ(found.verdict.lines, arm + mp);
-  EXPECT_TRUE(text_of(folder / "now.trace").starts_with("# mrroc trace 2 clock=lockstep black_box\n"));
+  EXPECT_TRUE(trace::Reader(folder / "now.mcap").black_box());
   EXPECT_EQ(boxes.reported(), "") << "no task has failed";
 }
 
 TEST_F(BlackBoxesTest, RecordKeepsFilesThatExist) {
-  const BlackBoxes boxes(folder / "boxes", deployment, plan);
+  const BlackBoxes boxes(folder / "boxes", deployment, text, plan);
   make_steps(boxes);
-  const std::filesystem::path file = folder.write("kept.trace", "kept");
+  const std::filesystem::path file = folder.write("kept.mcap", "kept");
   EXPECT_THROW(boxes.record(file), std::runtime_error);
   EXPECT_EQ(text_of(file), "kept");
-  for (const char* impossible : {"missing/now.trace", "kept.trace/now.trace", "."}) {
+  for (const char* impossible : {"missing/now.mcap", "kept.mcap/now.mcap", "."}) {
     EXPECT_THROW(boxes.record(folder / impossible), std::runtime_error) << impossible;
   }
 }
 
 TEST_F(BlackBoxesTest, RecordWithoutStepsIsRefused) {
-  const BlackBoxes early(folder / "boxes", deployment, plan);
-  EXPECT_THROW(early.record(folder / "now.trace"), std::logic_error);
-  const BlackBoxes none("", deployment, plan);
-  EXPECT_THROW(none.record(folder / "now.trace"), std::logic_error);
-  EXPECT_FALSE(std::filesystem::exists(folder / "now.trace"));
+  const BlackBoxes early(folder / "boxes", deployment, text, plan);
+  EXPECT_THROW(early.record(folder / "now.mcap"), std::logic_error);
+  const BlackBoxes none("", deployment, text, plan);
+  EXPECT_THROW(none.record(folder / "now.mcap"), std::logic_error);
+  EXPECT_FALSE(std::filesystem::exists(folder / "now.mcap"));
 }
 
 TEST_F(BlackBoxesTest, RecordNamesTheTasksOfOtherHosts) {
   plan.front().host = "pc";
-  const BlackBoxes boxes(folder / "boxes", deployment, plan);
+  const BlackBoxes boxes(folder / "boxes", deployment, text, plan);
   make_steps(boxes);
-  const std::string reply = boxes.record(folder / "now.trace");
+  const std::string reply = boxes.record(folder / "now.mcap");
   EXPECT_NE(reply.find("steps of mp, without those on other hosts: arm;"), std::string::npos) << reply;
-  EXPECT_EQ(trace::check_text(text_of(folder / "now.trace")).text(), "");
+  EXPECT_EQ(trace::check(folder / "now.mcap").text(), "");
 }
 
 }  // namespace

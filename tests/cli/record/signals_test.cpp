@@ -8,11 +8,11 @@
 #include <limits>
 #include <string>
 
-#include "cli/record/recording_writer.hpp"
 #include "messages/geometry_msgs/wrench_stamped.hpp"
 #include "messages/mrroc_msgs/robot_state.hpp"
 #include "messages/mrroc_msgs/step.hpp"
 #include "mrroc/testing/scratch_folder.hpp"
+#include "recording/recording_writer.hpp"
 
 namespace mrroc::cli::record::signals_test {
 namespace {
@@ -24,7 +24,7 @@ class Signals : public testing::Test {
     config::Deployment deployment;
     deployment.clock = config::ClockMode::lockstep;
     deployment.servo_period = 0.002;
-    RecordingWriter writer(fd, deployment, "");
+    recording::RecordingWriter writer(fd, deployment, "");
     for (Tick tick = 0; tick < 100; ++tick) {
       const double number = static_cast<double>(tick);
       messages::geometry_msgs::WrenchStamped wrench;

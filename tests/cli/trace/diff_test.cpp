@@ -7,13 +7,17 @@
 #include <string>
 #include <utility>
 
-#include "cli/trace/trace_text.hpp"
+#include "cli/trace/trace_steps.hpp"
+#include "mrroc/testing/scratch_folder.hpp"
 
 namespace mrroc::cli::trace::diff_test {
 namespace {
 
-Comparison compared(const TraceText& first, const TraceText& second) {
-  Reader one("one", first.text()), other("other", second.text());
+Comparison compared(const TraceSteps& first, const TraceSteps& second) {
+  const task_test::ScratchFolder folder;
+  first.write(folder / "one.mcap");
+  second.write(folder / "other.mcap");
+  Reader one(folder / "one.mcap"), other(folder / "other.mcap");
   return compare(one, other);
 }
 
@@ -27,8 +31,8 @@ class Diff : public testing::Test {
     return i;
   }
 
-  const TraceText original = example_trace();
-  TraceText changed = original;
+  const TraceSteps original = example_trace();
+  TraceSteps changed = original;
 };
 
 TEST_F(Diff, EqualTracesHaveNone) {

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <map>
 
-#include "cli/trace/trace_text.hpp"
+#include "cli/trace/trace_steps.hpp"
 
 namespace mrroc::cli::trace {
 
@@ -136,7 +136,14 @@ class Cell {
 
   void remark(const std::string& process) { trace_.items.emplace_back(Remark{0, process, lines_[process], 0, 0}); }
 
-  TraceText trace() { return trace_; }
+  /// Each step is made at the newest tick that its process knows.
+  TraceSteps trace() {
+    std::map<std::string, Tick> newest;
+    for (Item& item : trace_.items)
+      if (Line* const line = std::get_if<Line>(&item); line != nullptr)
+        line->made = newest[line->process] = std::max(newest[line->process], line->tick);
+    return trace_;
+  }
 
  private:
   Tick end_of(const RobotEntry& robot) const {
@@ -216,7 +223,7 @@ class Cell {
     ++lines_[line_.process];
   }
 
-  TraceText trace_;
+  TraceSteps trace_;
   std::map<std::string, RobotEntry> robots_;
   std::map<std::string, Tick> force_ends_;
   std::map<std::string, std::uint64_t> instructions_, lines_;
@@ -307,7 +314,7 @@ void with_its_ecp(Cell& cell) {
 
 }  // namespace
 
-TraceText example_trace() {
+TraceSteps example_trace() {
   Cell cell;
   arm_alone(cell);
   with_its_ecp(cell);

@@ -15,13 +15,13 @@ std::vector<Mutation> all_mutations() {
   return all;
 }
 
-std::size_t line_before(const TraceText& trace, std::size_t i) {
+std::size_t line_before(const TraceSteps& trace, std::size_t i) {
   for (std::size_t k = i; k-- > 0;)
     if (trace.is_line(k) && same_instruction(trace.line(k), trace.line(i))) return k;
   return kNoLine;
 }
 
-std::size_t line_behind(const TraceText& trace, std::size_t i) {
+std::size_t line_behind(const TraceSteps& trace, std::size_t i) {
   for (std::size_t k = i + 1; k < trace.items.size(); ++k)
     if (trace.is_line(k) && same_instruction(trace.line(k), trace.line(i))) return k;
   return kNoLine;
@@ -31,7 +31,7 @@ std::uint64_t pick(Random& random, std::uint64_t first, std::uint64_t last) {
   return std::uniform_int_distribution<std::uint64_t>(first, last)(random);
 }
 
-std::optional<std::size_t> pick_line(const TraceText& trace, Random& random,
+std::optional<std::size_t> pick_line(const TraceSteps& trace, Random& random,
                                      const std::function<bool(std::size_t)>& suits) {
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < trace.items.size(); ++i)
@@ -40,7 +40,7 @@ std::optional<std::size_t> pick_line(const TraceText& trace, Random& random,
   return places[pick(random, 0, places.size() - 1)];
 }
 
-std::optional<RobotPlace> pick_robot(const TraceText& trace, Random& random,
+std::optional<RobotPlace> pick_robot(const TraceSteps& trace, Random& random,
                                      const std::function<bool(std::size_t, std::size_t)>& suits) {
   std::vector<RobotPlace> places;
   for (std::size_t i = 0; i < trace.items.size(); ++i) {

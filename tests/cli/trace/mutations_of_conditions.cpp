@@ -7,11 +7,11 @@ namespace mrroc::cli::trace {
 
 namespace {
 
-using Suits = std::function<bool(const TraceText&, std::size_t)>;
+using Suits = std::function<bool(const TraceSteps&, std::size_t)>;
 using Change = std::function<void(Line&, Random&)>;
 
 Mutation of_line(const char* name, Suits suits, Change change) {
-  return {name, [suits, change](TraceText& trace, Random& random) {
+  return {name, [suits, change](TraceSteps& trace, Random& random) {
             const auto place = pick_line(trace, random, [&](std::size_t i) { return suits(trace, i); });
             if (place) change(trace.line(*place), random);
             return place.has_value();
@@ -42,31 +42,33 @@ void flip_deciding_part(Line& line, Random& random) {
   part.value = !part.value;
 }
 
-bool has_deciding_part(const TraceText& trace, std::size_t i) { return !deciding_parts(trace.line(i)).empty(); }
+bool has_deciding_part(const TraceSteps& trace, std::size_t i) { return !deciding_parts(trace.line(i)).empty(); }
 
-bool ends(const TraceText& trace, std::size_t i) { return trace.line(i).ends(); }
-bool ends_with_states(const TraceText& trace, std::size_t i) { return ends(trace, i) && !trace.line(i).robots.empty(); }
+bool ends(const TraceSteps& trace, std::size_t i) { return trace.line(i).ends(); }
+bool ends_with_states(const TraceSteps& trace, std::size_t i) {
+  return ends(trace, i) && !trace.line(i).robots.empty();
+}
 
-bool goes_on_with_robots(const TraceText& trace, std::size_t i) {
+bool goes_on_with_robots(const TraceSteps& trace, std::size_t i) {
   return !trace.line(i).ends() && !trace.line(i).robots.empty() && line_behind(trace, i) != kNoLine;
 }
 
 /// The end of a Move without a condition by its generator may also be an end by the operator, or by its own error.
-bool shows_parts_at_end(const TraceText& trace, std::size_t i) {
+bool shows_parts_at_end(const TraceSteps& trace, std::size_t i) {
   return ends(trace, i) && !trace.line(i).conditions.empty();
 }
 
 template <class Chosen>
-std::vector<std::size_t> sensors_of(const TraceText& trace, std::size_t i, Chosen chosen) {
+std::vector<std::size_t> sensors_of(const TraceSteps& trace, std::size_t i, Chosen chosen) {
   std::vector<std::size_t> found;
   for (std::size_t k = 0; k < trace.line(i).sensors.size(); ++k)
     if (chosen(k)) found.push_back(k);
   return found;
 }
 
-Mutation of_sensor(const char* name, std::function<bool(const TraceText&, std::size_t, std::size_t)> suits,
+Mutation of_sensor(const char* name, std::function<bool(const TraceSteps&, std::size_t, std::size_t)> suits,
                    std::function<void(SensorEntry&, Random&)> change) {
-  return {name, [suits, change](TraceText& trace, Random& random) {
+  return {name, [suits, change](TraceSteps& trace, Random& random) {
             const auto chosen = [&](std::size_t i) {
               return sensors_of(trace, i, [&](std::size_t k) { return suits(trace, i, k); });
             };
@@ -80,20 +82,20 @@ Mutation of_sensor(const char* name, std::function<bool(const TraceText&, std::s
 
 bool due(const Line& line, const SensorEntry& sensor) { return line.held != 0 || line.step % sensor.period == 0; }
 
-bool is_due_interactive(const TraceText& trace, std::size_t i, std::size_t k) {
+bool is_due_interactive(const TraceSteps& trace, std::size_t i, std::size_t k) {
   const Line& line = trace.line(i);
   const SensorEntry& sensor = line.sensors[k];
   return sensor.mode == SensorMode::interactive && due(line, sensor) && !line.broken_off() &&
          sensor.error == ErrorClass::none && (!line.robots.empty() || line_before(trace, i) != kNoLine);
 }
 
-bool is_not_due(const TraceText& trace, std::size_t i, std::size_t k) {
+bool is_not_due(const TraceSteps& trace, std::size_t i, std::size_t k) {
   const Line& line = trace.line(i);
   return !due(line, line.sensors[k]) && !line.broken_off() && line_before(trace, i) != kNoLine &&
          !line.sensors[k].values.empty();
 }
 
-bool is_one_of_several(const TraceText& trace, std::size_t i, std::size_t) { return line_behind(trace, i) != kNoLine; }
+bool is_one_of_several(const TraceSteps& trace, std::size_t i, std::size_t) { return line_behind(trace, i) != kNoLine; }
 
 }  // namespace
 
@@ -102,7 +104,7 @@ std::vector<Mutation> mutations_of_conditions() {
       of_line("another value of a part that decides", has_deciding_part, flip_deciding_part),
       of_line(
           "a part that has gone",
-          [](const TraceText& trace, std::size_t i) {
+          [](const TraceSteps& trace, std::size_t i) {
             return !trace.line(i).conditions.empty() && line_before(trace, i) != kNoLine;
           },
           [](Line& line, Random&) { line.conditions.pop_back(); }),
@@ -122,7 +124,7 @@ std::vector<Mutation> mutations_of_conditions() {
               [](Line& line, Random&) { line.ending = StepEnding::non_fatal_error; }),
       of_line(
           "an end by a condition that does not hold, or is not there",
-          [](const TraceText& trace, std::size_t i) {
+          [](const TraceSteps& trace, std::size_t i) {
             const Line& line = trace.line(i);
             return line.ends() && line.ending != StepEnding::condition &&
                    (line.conditions.empty() || value_of(line).is_false());
@@ -130,13 +132,13 @@ std::vector<Mutation> mutations_of_conditions() {
           [](Line& line, Random&) { line.ending = StepEnding::condition; }),
       of_line(
           "an end by a generator instead of the condition",
-          [](const TraceText& trace, std::size_t i) {
+          [](const TraceSteps& trace, std::size_t i) {
             return trace.line(i).ending == StepEnding::condition && value_of(trace.line(i)).is_true();
           },
           [](Line& line, Random&) { line.ending = StepEnding::generator; }),
       of_line(
           "another skew",
-          [](const TraceText& trace, std::size_t i) {
+          [](const TraceSteps& trace, std::size_t i) {
             return trace.line(i).skew.has_value() && !trace.line(i).broken_off();
           },
           [](Line& line, Random& random) { *line.skew += pick(random, 1, 5); }),
@@ -147,7 +149,7 @@ std::vector<Mutation> mutations_of_conditions() {
                 [](SensorEntry& sensor, Random&) { sensor.values.front() += 0.5; }),
       of_sensor("a new reading where none is due", is_not_due, [](SensorEntry& sensor, Random&) { ++sensor.tick; }),
       of_sensor(
-          "a reading of the configuration before", [](const TraceText&, std::size_t, std::size_t) { return true; },
+          "a reading of the configuration before", [](const TraceSteps&, std::size_t, std::size_t) { return true; },
           [](SensorEntry& sensor, Random& random) { sensor.configured = sensor.configuration + pick(random, 1, 3); }),
       of_sensor("another period", is_one_of_several, [](SensorEntry& sensor, Random&) { ++sensor.period; }),
       of_sensor("another mode", is_one_of_several,
@@ -158,7 +160,7 @@ std::vector<Mutation> mutations_of_conditions() {
       of_sensor("another sensor", is_one_of_several, [](SensorEntry& sensor, Random&) { sensor.name += "2"; }),
       of_sensor(
           "an error that does not end it",
-          [](const TraceText& trace, std::size_t i, std::size_t) { return !trace.line(i).ends(); },
+          [](const TraceSteps& trace, std::size_t i, std::size_t) { return !trace.line(i).ends(); },
           [](SensorEntry& sensor, Random&) {
             sensor.error = ErrorClass::hardware;
             sensor.error_code = "the sensor hardware malfunctions";

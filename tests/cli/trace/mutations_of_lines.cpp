@@ -11,7 +11,7 @@ bool everywhere(std::size_t) { return true; }
 
 /// Changes any line.
 Mutation of_any_line(const char* name, std::function<void(Line&, Random&)> change) {
-  return {name, [change](TraceText& trace, Random& random) {
+  return {name, [change](TraceSteps& trace, Random& random) {
             const auto place = pick_line(trace, random, everywhere);
             if (place) change(trace.line(*place), random);
             return place.has_value();
@@ -20,7 +20,7 @@ Mutation of_any_line(const char* name, std::function<void(Line&, Random&)> chang
 
 /// Changes one of several lines of an instruction. A value that occurs only once cannot be compared.
 Mutation of_one_of_several(const char* name, std::function<void(Line&, Random&)> change) {
-  return {name, [change](TraceText& trace, Random& random) {
+  return {name, [change](TraceSteps& trace, Random& random) {
             const auto place = pick_line(trace, random, [&trace](std::size_t i) {
               return line_before(trace, i) != kNoLine || line_behind(trace, i) != kNoLine;
             });
@@ -29,13 +29,13 @@ Mutation of_one_of_several(const char* name, std::function<void(Line&, Random&)>
           }};
 }
 
-bool drop(TraceText& trace, Random& random) {
+bool drop(TraceSteps& trace, Random& random) {
   const auto place = pick_line(trace, random, everywhere);
   if (place) trace.items.erase(trace.items.begin() + static_cast<std::ptrdiff_t>(*place));
   return place.has_value();
 }
 
-bool duplicate(TraceText& trace, Random& random) {
+bool duplicate(TraceSteps& trace, Random& random) {
   const auto place = pick_line(trace, random, everywhere);
   if (!place) return false;
   const Item copy = trace.items[*place];
@@ -52,7 +52,7 @@ bool share_a_robot(const Line& a, const Line& b) {
 
 /// Not the end of an instruction and the beginning of the next one with other robots, or without robots: a process may
 /// run both at the same time.
-bool swap(TraceText& trace, Random& random) {
+bool swap(TraceSteps& trace, Random& random) {
   const auto place = pick_line(trace, random, [&trace](std::size_t i) {
     if (i + 1 >= trace.items.size() || !trace.is_line(i + 1)) return i + 1 < trace.items.size();
     const Line &first = trace.line(i), &second = trace.line(i + 1);
@@ -63,7 +63,7 @@ bool swap(TraceText& trace, Random& random) {
 }
 
 /// The lines of a whole instruction.
-bool drop_instruction(TraceText& trace, Random& random) {
+bool drop_instruction(TraceSteps& trace, Random& random) {
   const auto place = pick_line(trace, random, everywhere);
   if (!place) return false;
   const Line chosen = trace.line(*place);
@@ -75,7 +75,7 @@ bool drop_instruction(TraceText& trace, Random& random) {
 }
 
 /// All lines of a process repeated as those of another one: both command the same robots at the same ticks.
-bool second_commander(TraceText& trace, Random& random) {
+bool second_commander(TraceSteps& trace, Random& random) {
   const auto place = pick_line(trace, random, [&trace](std::size_t i) {
     const Line& line = trace.line(i);
     const std::size_t behind = line_behind(trace, i);
@@ -101,7 +101,7 @@ bool second_commander(TraceText& trace, Random& random) {
   return true;
 }
 
-bool spoil_remark(TraceText& trace, Random& random) {
+bool spoil_remark(TraceSteps& trace, Random& random) {
   std::vector<std::size_t> remarks;
   for (std::size_t i = 0; i < trace.items.size(); ++i)
     if (!trace.is_line(i)) remarks.push_back(i);
@@ -115,7 +115,7 @@ bool spoil_remark(TraceText& trace, Random& random) {
 }
 
 /// Not where an instruction was interrupted: that may be at a step, or between two.
-bool change_step(TraceText& trace, Random& random) {
+bool change_step(TraceSteps& trace, Random& random) {
   const auto place = pick_line(trace, random, [&trace](std::size_t i) { return !trace.line(i).broken_off(); });
   if (place) trace.line(*place).step += pick(random, 1, 5);
   return place.has_value();

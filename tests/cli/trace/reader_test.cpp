@@ -1,70 +1,108 @@
 #include "cli/trace/reader.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
-#include <fstream>
+#include <utility>
 
-#include "cli/trace/format_line.hpp"
-#include "cli/trace/trace_text.hpp"
+#include "cli/trace/step_of_line.hpp"
+#include "cli/trace/trace_steps.hpp"
 #include "mrroc/testing/scratch_folder.hpp"
+#include "recording/recording_writer.hpp"
 
 namespace mrroc::cli::trace::reader_test {
 namespace {
 
-TEST(TraceReader, RefusesAFileThatIsNotATrace) {
-  for (const char* text : {"", "hello\n", "# mrroc trace 1\n", "# mrroc trace 2 clock=sun\n"})
-    EXPECT_NE(
-        check_text(text).malformed.find(".trace:1: is not a trace, expected the line \"# mrroc trace 2 clock=..."),
-        std::string::npos)
+using recording::RecordingWriter;
+
+const RecordingWriter::Metadata kLockstep{{"clock", "lockstep"}, {"servo_period", "0.002"}};
+
+/// A recording with this metadata and these messages of the topic /arm/steps.
+class Written {
+ public:
+  explicit Written(RecordingWriter::Metadata metadata)
+      : fd_(open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600)), writer_(fd_, 0.002, std::move(metadata), "") {}
+  ~Written() { close(fd_); }
+  Written(const Written&) = delete;
+  Written& operator=(const Written&) = delete;
+  RecordingWriter& writer() { return writer_; }
+  Found found() {
+    EXPECT_EQ(writer_.close(), 0);
+    return check(file);
+  }
+
+ private:
+  const task_test::ScratchFolder folder_;
+
+ public:
+  const std::filesystem::path file = folder_ / "checked.mcap";
+
+ private:
+  int fd_;
+  RecordingWriter writer_;
+};
+
+TEST(TraceReader, RefusesAFileThatIsNotARecording) {
+  const task_test::ScratchFolder folder;
+  for (const char* text : {"", "hello\n", "# mrroc trace 2 clock=lockstep\n"})
+    EXPECT_NE(check(folder.write("other", text)).malformed.find("other: is not an MCAP file, expected a recording"),
+              std::string::npos)
         << text;
-  EXPECT_THROW(Reader("/no/such/trace"), std::runtime_error);
+  EXPECT_THROW(Reader("/no/such/recording"), std::runtime_error);
   EXPECT_THROW(Reader("/"), std::runtime_error) << "a folder";
 }
 
-TEST(TraceReader, NamesAnInvalidLine) {
-  const std::string text = example_trace().text();
-  const std::size_t third = text.find('\n', text.find('\n') + 1) + 1;
-  const std::string broken = text.substr(0, third) + "tick=abc\n" + text.substr(third);
-  EXPECT_NE(check_text(broken).malformed.find(".trace:3: tick: 'abc', expected a whole number"), std::string::npos)
-      << check_text(broken).malformed;
-  EXPECT_NE(check_text(text + "# anything else\n").malformed.find("remark: "), std::string::npos);
-  EXPECT_NE(check_text(text + "\n").malformed.find("tick: ''"), std::string::npos);
-  EXPECT_NE(check_text(text + std::string(20000, 'x') + "\n").malformed.find("at most 16384 characters"),
+TEST(TraceReader, RefusesMetadataThatAreNotThoseOfARun) {
+  EXPECT_NE(Written(RecordingWriter::Metadata{{"clock", "sun"}, {"servo_period", "0.002"}})
+                .found()
+                .malformed.find("metadata clock: 'sun'"),
             std::string::npos);
+  EXPECT_NE(Written(RecordingWriter::Metadata{{"servo_period", "0.002"}}).found().malformed.find("metadata clock: ''"),
+            std::string::npos);
+  for (const char* const period : {"", "0", "-1", "nan", "fast"})
+    EXPECT_NE(Written(RecordingWriter::Metadata{{"clock", "real"}, {"servo_period", period}})
+                  .found()
+                  .malformed.find("metadata servo_period: '"),
+              std::string::npos)
+        << period;
 }
 
-TEST(TraceReader, AcceptsAdditionsOfEditors) {
-  const std::string text = example_trace().text();
-  const Found plain = check_text(text);
-  ASSERT_EQ(plain.malformed, "");
-  for (const char* const end : {"\r\n", " \n", "\t\r\n", "\n"}) {
-    std::string changed = "\xEF\xBB\xBF";
-    for (const char c : text) changed += c == '\n' ? end : std::string(1, c);
-    const Found found = check_text(changed);
-    EXPECT_EQ(found.malformed, "");
-    EXPECT_EQ(found.text(), plain.text());
-    EXPECT_EQ(found.verdict.lines, plain.verdict.lines);
-  }
-  EXPECT_NE(check_text("\xFF\xFE#").malformed.find(":1: the file is in UTF-16"), std::string::npos);
-  const std::string zero = text + std::string("tick\0\n", 6);
-  EXPECT_NE(check_text(zero).malformed.find("a byte \\x00 at column 5"), std::string::npos);
+TEST(TraceReader, NamesAMessageThatIsNotOneOfAStep) {
+  Written damaged(kLockstep);
+  const TraceSteps example = example_trace();
+  damaged.writer().write_step("arm", 1, messages::to_cdr(to_message(example.line(0), 2'000'000)));
+  damaged.writer().write_step("arm", 2, std::vector<std::byte>(7));
+  EXPECT_NE(damaged.found().malformed.find("checked.mcap:2: "), std::string::npos) << damaged.found().malformed;
+  Written wrong(kLockstep);
+  messages::mrroc_msgs::Step step = to_message(example.line(0), 2'000'000);
+  step.ending = 8;
+  wrong.writer().write_step("arm", 1, messages::to_cdr(step));
+  EXPECT_NE(wrong.found().malformed.find("checked.mcap:1: ending: '8', expected 0 to 7"), std::string::npos);
 }
 
-TEST(TraceReader, EmptyTraceKeepsTheRules) {
-  const Found found = check_text("# mrroc trace 2 clock=real\n# process=arm lines=0 dropped=0 cut=0\n");
-  EXPECT_EQ(found.text(), "");
-  EXPECT_EQ(found.verdict.lines, 0U);
+TEST(TraceReader, EmptyRecordingKeepsTheRules) {
+  TraceSteps empty;
+  empty.clock = "real";
+  empty.items.emplace_back(Remark{0, "arm", 0, 0, 0});
+  EXPECT_EQ(check(empty).text(), "");
+  EXPECT_EQ(check(empty).verdict.lines, 0U);
 }
 
-TEST(TraceReader, ReportsAndIgnoresACutLine) {
-  TraceText trace = example_trace();
-  const std::string before = format_line(trace.line(6));
-  std::string cut = before;
-  cut.resize(16384, '0');
-  std::string text = trace.text();
-  text.replace(text.find(before), before.size(), cut);
-  EXPECT_TRUE(check_text(text).rules.empty()) << check_text(text).text();
+TEST(TraceReader, ReportsAndIgnoresACutStep) {
+  TraceSteps trace = example_trace();
+  Line& line = trace.line(6);
+  line.cut = true;
+  line.robots.clear();
+  line.sensors.clear();
+  line.conditions.clear();
+  for (Item& item : trace.items)
+    if (auto* remark = std::get_if<Remark>(&item); remark != nullptr && remark->process == line.process)
+      remark->cut = 1;
+  const Found found = check(trace);
+  EXPECT_TRUE(found.rules.empty()) << found.text();
+  EXPECT_NE(found.text().find("1 steps of process " + line.process + " were too long"), std::string::npos);
 }
 
 /// Peak memory of this process, kB.
@@ -74,28 +112,23 @@ long peak_memory() {
   return usage.ru_maxrss;
 }
 
-TEST(TraceReader, MemoryDoesNotGrowWithTheTrace) {
-  const task_test::ScratchFolder folder;
-  const std::filesystem::path file = folder / "long.trace";
+TEST(TraceReader, MemoryDoesNotGrowWithTheRecording) {
+  Written written(kLockstep);
   Line line = example_trace().line(0);
   constexpr std::uint64_t kLines = 100000;
-  {
-    std::ofstream out(file);
-    out << "# mrroc trace 2 clock=lockstep\n";
-    for (; line.step < kLines; ++line.step) {
-      out << format_line(line) << "\n";
-      RobotEntry& robot = line.robots.front();
-      robot.macrostep = std::max(robot.desired_tick, robot.tick);
-      robot.tick = line.tick = robot.macrostep + 8;
-      robot.desired_tick = robot.macrostep + 10;
-    }
+  for (; line.step < kLines; ++line.step) {
+    written.writer().write_step(line.process, line.tick, messages::to_cdr(to_message(line, 2'000'000)));
+    RobotEntry& robot = line.robots.front();
+    robot.macrostep = std::max(robot.desired_tick, robot.tick);
+    robot.tick = line.tick = robot.macrostep + 8;
+    robot.desired_tick = robot.macrostep + 10;
   }
+  ASSERT_EQ(written.writer().close(), 0);
   const long before = peak_memory();
-  const Verdict verdict = check_trace(file, [](const std::string& violation) { ADD_FAILURE() << violation; });
+  const Verdict verdict = check_trace(written.file, [](const std::string& violation) { ADD_FAILURE() << violation; });
   EXPECT_EQ(verdict.lines, kLines);
   EXPECT_EQ(verdict.notes.size(), 1U);
-  EXPECT_GT(std::filesystem::file_size(file), 30U << 20U);
-  EXPECT_LT(peak_memory() - before, 8 << 10) << "kB more";
+  EXPECT_LT(peak_memory() - before, 16 << 10) << "kB more";
 }
 
 }  // namespace

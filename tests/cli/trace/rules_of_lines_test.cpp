@@ -7,12 +7,12 @@ namespace {
 TEST_F(TraceRule, LineOrder) {
   const auto first = trace.items.begin() + static_cast<std::ptrdiff_t>(begin_of(trace, "mp", 1));
   std::rotate(trace.items.begin(), first, first + 1);
-  expect_only("line-order", "a line not before tick ");
+  expect_only("line-order", "a step not before tick ");
 }
 
 TEST_F(TraceRule, LineTick) {
   ++line("arm", 1, 1).tick;
-  expect_only("line-tick", "the newest in the line");
+  expect_only("line-tick", "the newest in the step");
 }
 
 TEST_F(TraceRule, TicksContinueFromOneInstructionToTheNext) {
@@ -31,6 +31,7 @@ TEST_F(TraceRule, OneOfTwoSimultaneousInstructionsMayHoldAnOlderReading) {
   other.step = 0;
   other.sensors = line("arm", 8, 2).sensors;
   other.tick = ++other.sensors[0].tick;
+  other.made = line("arm", 8, 1).made;
   trace.items.insert(trace.items.begin() + static_cast<std::ptrdiff_t>(begin_of(trace, "arm", 8)) + 2, other);
   for (auto& item : trace.items)
     if (auto* remark = std::get_if<Remark>(&item); remark != nullptr && remark->process == "arm") ++remark->lines;
@@ -39,7 +40,7 @@ TEST_F(TraceRule, OneOfTwoSimultaneousInstructionsMayHoldAnOlderReading) {
 
 TEST_F(TraceRule, EveryLine) {
   std::get<Remark>(trace.items.back()).lines += 2;
-  expect_only("every-line", "11, as many as it has written");
+  expect_only("every-line", "11, as many as it has passed on");
 }
 
 TEST_F(TraceRule, InstructionCount) {
@@ -96,7 +97,7 @@ TEST_F(TraceRule, AllEnd) {
 TEST_F(TraceRule, ProcessWithoutARemarkWasKilled) {
   trace.items.pop_back();
   erase(trace.items.size() - 1);
-  const Found found = check_text(trace.text());
+  const Found found = check(trace);
   EXPECT_TRUE(found.violations.empty()) << found.text();
   EXPECT_NE(found.text().find("note: the trace of process mp stops here: it was killed, in instruction 2"),
             std::string::npos)

@@ -63,7 +63,7 @@ TEST_F(TraceRule, LateCommandToARobotAtRestMayBeReplacedByAHold) {
   const auto target_is_missed = [this](bool moved, bool moves) {
     arm(2, 1).moving = moved;
     arm(2, 2).moving = moves;
-    return check_text(trace.text()).rules.contains("joint-target");
+    return check(trace).rules.contains("joint-target");
   };
   arm(2, 1).command->target[1] += 0.1;
   EXPECT_TRUE(target_is_missed(false, false)) << "it is not late";
@@ -187,6 +187,7 @@ TEST_F(TraceRule, OneCommander) {
   Line intruder = line("mp", 1, 0);
   const std::size_t at = begin_of(trace, "arm", 5) + 1;
   intruder.tick = trace.line(at).tick;
+  intruder.made = trace.line(at).made;
   for (RobotEntry& robot : intruder.robots) robot.tick = robot.desired_tick = intruder.tick;
   intruder.process = "other";
   trace.items.insert(trace.items.begin() + static_cast<std::ptrdiff_t>(at) + 1, intruder);
@@ -201,9 +202,9 @@ TEST_F(TraceRule, RemarkExplainsMissingStepsUnderTheRealClock) {
   --std::get<Remark>(trace.items[remark]).lines;
   expect("step-count");
   ++std::get<Remark>(trace.items[remark]).dropped;
-  const Found found = check_text(trace.text());
+  const Found found = check(trace);
   EXPECT_TRUE(found.violations.empty()) << found.text();
-  EXPECT_NE(found.text().find("has dropped 1 lines"), std::string::npos) << found.text();
+  EXPECT_NE(found.text().find("has dropped 1 steps"), std::string::npos) << found.text();
 }
 
 TEST_F(TraceRule, StateMayBeOfALaterTickUnderTheRealClock) {

@@ -28,7 +28,7 @@ test('TheLastStepsAreRecordedWithoutCommand', () => {
   assert.equal(refusal_of('record', { ...SITUATION, commander: 'panel 2' }), '');
   assert.match(refusal_of('record', { ...SITUATION, task: 'held' }), /No task has made a step/);
   assert.match(refusal_of('record', { ...SITUATION, may_command: false }), /watching only/);
-  assert.equal(black_box_of('record: 90 steps of arm; black box: /home/lab/press_120.trace'), '/home/lab/press_120.trace');
+  assert.equal(black_box_of('record: 90 steps of arm; black box: /home/lab/press_120.mcap'), '/home/lab/press_120.mcap');
 });
 
 test('VerbsOfTheTaskDependOnItsState', () => {
@@ -90,7 +90,7 @@ test('MessagesAreFilteredByEveryWordAndBounded', () => {
 });
 
 test('TheFileOfABlackBoxIsFound', () => {
-  assert.equal(black_box_of('[tick 3]; black box: mrroc-black-box/swing-arm.trace'), 'mrroc-black-box/swing-arm.trace');
+  assert.equal(black_box_of('[tick 3]; black box: mrroc-black-box/swing-arm.mcap'), 'mrroc-black-box/swing-arm.mcap');
   assert.equal(black_box_of('the black box is not written'), '');
 });
 

@@ -4,34 +4,37 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-#include <string>
 #include <thread>
+#include <vector>
 
 #include "mrroc/errors.hpp"
 
 namespace mrroc::process::step_ring_test {
 namespace {
 
-TextLine line_of(std::uint64_t number) {
-  TextLine line;
-  line << std::string_view{"step "} << number;
-  return line;
+EncodedStep step_of(std::uint64_t number) {
+  EncodedStep step;
+  step.clear();
+  return step << number;
 }
 
-std::string text_of(std::uint64_t number) { return "step " + std::to_string(number); }
+std::vector<std::byte> bytes_of(std::uint64_t number) {
+  const EncodedStep step = step_of(number);
+  return {step.view().begin(), step.view().end()};
+}
 
 TEST(StepRing, CarriesStepsInOrder) {
   StepRing runner = StepRing::create();
   StepRing task = StepRing::attach(runner.fd());
   EXPECT_FALSE(runner.take());
   for (std::uint64_t number = 0; number < 3 * StepRing::kSteps; ++number) {
-    task.add(10 * number, line_of(number), false);
+    task.add(10 * number, step_of(number), false);
     if (number % 2 == 0) continue;
     for (const std::uint64_t expected : {number - 1, number}) {
       const auto step = runner.take();
       ASSERT_TRUE(step);
       EXPECT_EQ(step->tick, 10 * expected);
-      EXPECT_EQ(step->line, text_of(expected));
+      EXPECT_EQ(step->cdr, bytes_of(expected));
     }
   }
   EXPECT_EQ(runner.added(), 3 * StepRing::kSteps);
@@ -44,13 +47,13 @@ TEST(StepRing, CarriesStepsInOrder) {
 TEST(StepRing, DropsAndCountsWhenFull) {
   StepRing runner = StepRing::create();
   StepRing task = StepRing::attach(runner.fd());
-  for (std::uint64_t number = 0; number < StepRing::kSteps + 5; ++number) task.add(number, line_of(number), false);
+  for (std::uint64_t number = 0; number < StepRing::kSteps + 5; ++number) task.add(number, step_of(number), false);
   EXPECT_EQ(runner.added(), StepRing::kSteps);
   EXPECT_EQ(runner.dropped(), 5U);
-  EXPECT_EQ(runner.take()->line, text_of(0));
-  task.add(99, line_of(99), false);
-  for (std::uint64_t number = 1; number < StepRing::kSteps; ++number) EXPECT_EQ(runner.take()->line, text_of(number));
-  EXPECT_EQ(runner.take()->line, text_of(99));
+  EXPECT_EQ(runner.take()->cdr, bytes_of(0));
+  task.add(99, step_of(99), false);
+  for (std::uint64_t number = 1; number < StepRing::kSteps; ++number) EXPECT_EQ(runner.take()->cdr, bytes_of(number));
+  EXPECT_EQ(runner.take()->cdr, bytes_of(99));
   EXPECT_FALSE(runner.take());
 }
 
@@ -59,31 +62,19 @@ TEST(StepRing, LosesNothingWhenTheTaskWaits) {
   StepRing runner = StepRing::create();
   std::thread task([fd = runner.fd()] {
     StepRing ring = StepRing::attach(fd);
-    for (std::uint64_t number = 0; number < kCount; ++number) ring.add(number, line_of(number), true);
+    for (std::uint64_t number = 0; number < kCount; ++number) ring.add(number, step_of(number), true);
     ring.end();
   });
   for (std::uint64_t number = 0; number < kCount;) {
     const auto step = runner.take();
     if (!step) continue;
-    EXPECT_EQ(step->line, text_of(number));
+    EXPECT_EQ(step->cdr, bytes_of(number));
     ++number;
     if (number % 500 == 0) usleep(20'000);  // the ring is full meanwhile
   }
   task.join();
   EXPECT_TRUE(runner.ended());
   EXPECT_EQ(runner.dropped(), 0U);
-}
-
-TEST(StepRing, MarksLinesThatWereTooLong) {
-  StepRing runner = StepRing::create();
-  TextLine line;
-  line << std::string(TextLine::kCapacity + 1, 'x');
-  runner.add(1, line, false);
-  runner.add(2, line_of(2), false);
-  const auto step = runner.take();
-  EXPECT_TRUE(step->cut);
-  EXPECT_EQ(step->line.size(), TextLine::kCapacity);
-  EXPECT_FALSE(runner.take()->cut);
 }
 
 TEST(StepRing, RefusesAnotherMemory) {

@@ -4,6 +4,7 @@
 
 #include "system/equal_runs.hpp"
 #include "system/keyboard.hpp"
+#include "system/trace_steps_of.hpp"
 #include "text_of.hpp"
 
 namespace mrroc::test {
@@ -24,10 +25,19 @@ TEST(OperatorInputDemo, EventsAnswerAtTheirTicksOnEveryRun) {
   const EqualRuns runs = expect_equal_runs(kDemo, folder);
   for (const std::string& output : runs.outputs)
     EXPECT_NE(output.find("2 parts of 3.75 kg together"), std::string::npos) << output;
-  const std::string text = text_of(runs.trace);
-  for (const char* answer : {"sensor=parts tick=500 values=1,2 ", "sensor=weight tick=800 values=1,1.5 ",
-                             "sensor=weight tick=1000 values=1,2.25 "})
-    EXPECT_NE(text.find(answer), std::string::npos) << answer;
+  struct Answer {
+    const char* sensor;
+    Tick tick;
+    double value;
+  };
+  for (const auto& [sensor, tick, value] :
+       {Answer{"parts", 500, 2}, Answer{"weight", 800, 1.5}, Answer{"weight", 1000, 2.25}}) {
+    const auto has_it = [&](const cli::trace::Line& step) {
+      const cli::trace::SensorEntry* const entry = sensor_in(step, sensor);
+      return entry != nullptr && entry->tick == tick && entry->values == cli::trace::Numbers{1, value};
+    };
+    EXPECT_FALSE(steps_where(runs.trace, has_it).empty()) << sensor << " at tick " << tick;
+  }
 }
 
 class Typed : public testing::TestWithParam<const char*> {};

@@ -36,8 +36,8 @@ TEST(EmergencyStop, OneEventPressesItAnotherResetsIt) {
       folder.write("stop.toml", deployment("event", "lockstep", event(1500, "estop") + event(3000, "reset")));
   std::set<std::string> hashes;
   for (int run = 0; run < 3; ++run) {
-    const auto trace = folder.path() / "trace";
-    const std::string output = run_mrroc({"run", file.string(), "--quiet", "--trace", trace.string()}, 0);
+    const auto trace = folder.path() / "trace.mcap";
+    const std::string output = run_mrroc({"run", file.string(), "--quiet", "--record", trace.string()}, 0);
     expect_stopped_and_went_on(output);
     EXPECT_NE(output.find("at tick 1500"), std::string::npos) << "every servo checks it at every tick: " << output;
     hashes.insert(trace_hash(trace));

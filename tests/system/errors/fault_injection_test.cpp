@@ -24,8 +24,8 @@ TEST_F(FaultInjection, EcpDeathAtAStepEndsTheRunThereAndTheArmBrakes) {
   EXPECT_GT(arm.standstill(), killed);
 }
 
-/// Up to the last step that both have in their traces: the time until the runner detects a task's end, and until all
-/// processes have left, is wall time.
+/// Up to the last step that both have in their recordings: the time until the runner detects a task's end, and until
+/// all processes have left, is wall time.
 bool same_motion(const RunResult& one, const RunResult& other) {
   if (one.steps.empty() || other.steps.empty()) return false;
   const Motion &first = one.motion.at("arm"), &second = other.motion.at("arm");

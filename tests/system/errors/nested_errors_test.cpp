@@ -2,10 +2,12 @@
 // robots hold each time, and the black box of the failed process is on disk.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <vector>
 
+#include "cli/trace/trace_steps.hpp"
 #include "system/mrroc_run.hpp"
-#include "system/trace_line.hpp"
+#include "system/trace_steps_of.hpp"
 
 namespace mrroc::test::nested_errors_test {
 namespace {
@@ -17,6 +19,10 @@ std::filesystem::path deployment(const ScratchFolder& folder) {
   return folder.write("nested.toml", "[deployment]\nname = \"nested\"\n[mp]\nprogram = \"" MRROC_BINARY_DIR
                                      "/tests/nested_mp\"\n[robots.left]\n" +
                                          kBelt + "[robots.right]\n" + kBelt);
+}
+
+auto of_process(const std::string& process) {
+  return [process](const cli::trace::Line& line) { return line.process == process; };
 }
 
 /// The text after `word` in a line, up to the next blank or comma.
@@ -37,29 +43,31 @@ std::string line_of(const std::string& output, const std::string& text) {
 class NestedErrors : public testing::TestWithParam<const char*> {
  protected:
   NestedErrors() {
-    output = run_mrroc({"run", deployment(folder).string(), "--quiet", "--clock", GetParam(), "--trace", trace.string(),
-                        "--black-box", boxes.string()},
+    output = run_mrroc({"run", deployment(folder).string(), "--quiet", "--clock", GetParam(), "--record",
+                        trace.string(), "--black-box", boxes.string()},
                        1);
   }
 
   ScratchFolder folder;
-  std::filesystem::path trace = folder.path() / "trace", boxes = folder.path() / "boxes";
+  std::filesystem::path trace = folder.path() / "trace.mcap", boxes = folder.path() / "boxes";
   std::string output;
 };
 
 TEST_P(NestedErrors, AreCaughtAtAMoveInABehaviourInTheTaskAndInTheShellAndRobotsHold) {
-  const auto ends = lines_with(trace, "end=non_fatal_error");
-  std::vector<std::string> of_left;
-  for (const std::string& line : ends)
-    if (line.find("process=left") != std::string::npos) of_left.push_back(line);
+  const auto failed = [](const std::string& process) {
+    return [process](const cli::trace::Line& line) {
+      return line.process == process && line.ending == StepEnding::non_fatal_error;
+    };
+  };
+  const Steps of_left = steps_where(trace, failed("left")), of_mp = steps_where(trace, failed("mp"));
   ASSERT_EQ(of_left.size(), 4U) << output;
   const std::vector<std::string> places{"caught at the Move", "caught in the behaviour", "caught in a wait of the MP",
                                         "caught in a Move of the MP"};
   for (std::size_t i = 0; i < places.size(); ++i) {
     const std::string reported = line_of(output, places[i]);
     EXPECT_EQ(after(reported, "step "), "20") << reported;
-    EXPECT_EQ(after(reported, "tick "), after(of_left[i], "tick=")) << reported << "\n" << of_left[i];
-    EXPECT_EQ(after(of_left[i], " step="), "20");
+    EXPECT_EQ(after(reported, "tick "), std::to_string(of_left[i].tick)) << reported;
+    EXPECT_EQ(of_left[i].step, 20U);
     if (i < 2) {
       EXPECT_EQ(after(reported, "moved "), "0.000000") << reported;
       continue;
@@ -72,33 +80,38 @@ TEST_P(NestedErrors, AreCaughtAtAMoveInABehaviourInTheTaskAndInTheShellAndRobots
   EXPECT_NE(output.find("right rests, moved 0.000000 m"), std::string::npos) << output;
   // the process reports to the operator, and names the files; the box of the behaviour that failed first is kept
   const std::string reason = line_of(output, "mrroc: nested: ");
-  std::string of_mp;
-  for (const std::string& line : ends)
-    if (line.find("process=mp") != std::string::npos) of_mp = line;
+  ASSERT_FALSE(of_mp.empty()) << output;
   EXPECT_EQ(reason,
             "mrroc: nested: non-fatal error: a force limit is passed: the part was not taken [process mp, step " +
-                after(of_mp, " step=") + ", tick " + after(of_mp, "tick=") + "]; black box: " +
-                (boxes / "nested-left-2.trace").string() + ", " + (boxes / "nested-mp.trace").string());
+                std::to_string(of_mp.back().step) + ", tick " + std::to_string(of_mp.back().tick) + "]; black box: " +
+                (boxes / "nested-left-2.mcap").string() + ", " + (boxes / "nested-mp.mcap").string());
 }
 
-TEST_P(NestedErrors, BlackBoxOfAFailedProcessHasTheLastLinesOfItsTrace) {
+TEST_P(NestedErrors, BlackBoxOfAFailedProcessHasTheLastStepsOfItsRecording) {
   for (const std::string process : {"left", "mp"}) {
-    const auto box = boxes / ("nested-" + process + ".trace");
+    const auto box = boxes / ("nested-" + process + ".mcap"), part = folder.path() / (process + ".mcap");
     expect_laws(box);
-    const auto kept = lines_with(box, " process=" + process + " "),
-               all = lines_with(trace, " process=" + process + " ");
+    const Steps kept = steps_where(box, of_process(process)), all = steps_where(trace, of_process(process));
     ASSERT_EQ(kept.size(), 50U) << process;
-    EXPECT_NE(kept.back().find("end=non_fatal_error"), std::string::npos) << kept.back();
-    const auto last = std::find(all.begin(), all.end(), kept.back());
+    EXPECT_EQ(kept.back().ending, StepEnding::non_fatal_error) << process;
+    const auto last = std::find_if(all.begin(), all.end(), [&kept](const cli::trace::Line& line) {
+      const cli::trace::Line& newest = kept.back();
+      return line.instruction == newest.instruction && line.step == newest.step && line.ending == newest.ending;
+    });
     ASSERT_NE(last, all.end()) << process;
-    ASSERT_GE(last - all.begin(), 50) << process << ": no line is missing";
-    EXPECT_EQ(kept, std::vector<std::string>(last - 49, last + 1)) << process;
+    const auto place = static_cast<std::size_t>(last - all.begin());
+    ASSERT_GE(place, 50U) << process << ": no step is missing";
+    cli::trace::black_box_of(cli::trace::read_trace(trace), process, place - 49, place + 1).write(part);
+    run_mrroc({"trace", "diff", box.string(), part.string()}, 0);
+    EXPECT_EQ(trace_hash(box), trace_hash(part)) << process;
   }
   // the MP's has the steps of both Moves that continued when one failed
-  const auto box = boxes / "nested-mp.trace";
-  EXPECT_FALSE(lines_with(box, " robot=left ").empty());
-  EXPECT_FALSE(lines_with(box, " robot=right ").empty());
-  EXPECT_FALSE(std::filesystem::exists(boxes / "nested-right.trace")) << "its task has not failed";
+  const auto box = boxes / "nested-mp.mcap";
+  for (const char* robot : {"left", "right"}) {
+    const auto has_it = [robot](const cli::trace::Line& line) { return robot_in(line, robot) != nullptr; };
+    EXPECT_FALSE(steps_where(box, has_it).empty()) << robot;
+  }
+  EXPECT_FALSE(std::filesystem::exists(boxes / "nested-right.mcap")) << "its task has not failed";
 }
 
 INSTANTIATE_TEST_SUITE_P(Clocks, NestedErrors, testing::Values("lockstep", "real"),
@@ -111,7 +124,7 @@ TEST(BlackBoxOption, EmptyFolderDisablesItAndAnInvalidFolderIsReported) {
   EXPECT_EQ(none.find("black box"), std::string::npos) << none;
   const auto blocked = folder.write("blocked", "a file");
   const std::string reported = run_mrroc({"run", file.string(), "--quiet", "--black-box", blocked.string()}, 1);
-  EXPECT_NE(reported.find("cannot write the black box " + (blocked / "nested-mp.trace").string()), std::string::npos)
+  EXPECT_NE(reported.find("cannot write the black box " + (blocked / "nested-mp.mcap").string()), std::string::npos)
       << reported;
   EXPECT_EQ(reported.find("; black box: "), std::string::npos) << reported;
 }

@@ -1,10 +1,9 @@
 // A fault of a robot in the simulated world, and the recovery from it, in a user's task.
 #include <gtest/gtest.h>
 
-#include <fstream>
-
 #include "system/block_scene.hpp"
 #include "system/mrroc_run.hpp"
+#include "system/trace_steps_of.hpp"
 
 namespace mrroc::test::recovery_test {
 namespace {
@@ -39,20 +38,16 @@ TEST(Recovery, AFaultThatNobodyCatchesEndsTheRunAndIsInTheBlackBox) {
   const auto file = folder.write("uncaught.toml", deployment("uncaught"));
   const std::string output =
       run_mrroc({"run", file.string(), "--quiet", "--black-box", (folder.path() / "boxes").string()}, 3);
-  const auto box = folder.path() / "boxes" / "uncaught-arm.trace";
+  const auto box = folder.path() / "boxes" / "uncaught-arm.mcap";
   EXPECT_NE(output.find("; black box: " + box.string()), std::string::npos) << output;
   expect_laws(box);
-  std::ifstream lines(box);
-  std::string last;
-  int count = 0;
-  for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with('#')) continue;
-    last = line;
-    ++count;
-  }
-  EXPECT_EQ(count, 50);
-  EXPECT_NE(last.find(" error=\"hardware error: the following error is too large\""), std::string::npos) << last;
-  EXPECT_NE(last.find(" end=hardware_error"), std::string::npos) << last;
+  const Steps steps = steps_of(box);
+  ASSERT_EQ(steps.size(), 50U);
+  const cli::trace::RobotEntry* const arm = robot_in(steps.back(), "arm");
+  ASSERT_NE(arm, nullptr);
+  EXPECT_EQ(arm->error, ErrorClass::hardware);
+  EXPECT_EQ(arm->error_code, "the following error is too large");
+  EXPECT_EQ(steps.back().ending, StepEnding::hardware_error);
 }
 
 }  // namespace

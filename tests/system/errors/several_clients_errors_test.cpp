@@ -6,7 +6,6 @@
 
 #include "system/client_looks.hpp"
 #include "system/mrroc_run.hpp"
-#include "system/trace_line.hpp"
 
 namespace mrroc::test::several_clients_errors_test {
 namespace {
@@ -33,8 +32,9 @@ TEST_P(FailingSensor, IsReportedToEachClientAtItsNextReading) {
   const std::string played = "type = \"" + failure.type + "\"\nsource = \"replay\"\nreplay = \"readings.txt\"\n";
   const auto file =
       folder.write("clients.toml", clients_deployment("clients", shared ? played : kTime, shared ? kTime : played));
-  const auto trace = folder.path() / "trace";
-  const std::string output = run_mrroc({"run", file.string(), "--quiet", "--trace", trace.string()}, failure.exit_code);
+  const auto trace = folder.path() / "trace.mcap";
+  const std::string output =
+      run_mrroc({"run", file.string(), "--quiet", "--record", trace.string()}, failure.exit_code);
   const auto looks = looks_of(trace);
   ASSERT_EQ(looks.size(), 3u) << output;
   for (const auto& [client, steps] : looks) {
@@ -44,7 +44,7 @@ TEST_P(FailingSensor, IsReportedToEachClientAtItsNextReading) {
     const std::string line = output.substr(met, output.find('\n', met) - met);
     EXPECT_NE(line.find(failure.message), std::string::npos);
     EXPECT_NE(line.find("[process " + client + ", device " + failure.device + ", step "), std::string::npos);
-    const double step = numbers_after(line, ", step ").at(0), tick = numbers_after(line, ", tick ").at(0);
+    const double step = number_after(line, ", step "), tick = number_after(line, ", tick ");
     EXPECT_EQ(step, steps.back().step + 1);
     EXPECT_EQ(static_cast<int>(step) % (shared ? kPeriods.at(client) : 1), 0);
     const double own = 2 * steps.back().own - steps[steps.size() - 2].own;  // all steps have the same length

@@ -31,12 +31,13 @@ std::filesystem::path press_with(const ScratchFolder& folder, const std::string&
 
 TEST(Supervision, TwoDeploymentsOnOneHostDoNotDisturbEachOther) {
   const ScratchFolder folder;
-  const std::string alone = (folder.path() / "alone").string();
-  run_mrroc({"run", "tasks/press/press.toml", "--trace", alone}, 0);
+  const std::string alone = (folder.path() / "alone.mcap").string();
+  run_mrroc({"run", "tasks/press/press.toml", "--record", alone}, 0);
   for (int i = 0; i < 5; ++i) {
-    const std::string first = (folder.path() / "first").string(), second = (folder.path() / "second").string();
+    const std::string first = (folder.path() / "first.mcap").string(),
+                      second = (folder.path() / "second.mcap").string();
     run_two(
-        {{{"run", "tasks/press/press.toml", "--trace", first}, {"run", "tasks/press/press.toml", "--trace", second}}},
+        {{{"run", "tasks/press/press.toml", "--record", first}, {"run", "tasks/press/press.toml", "--record", second}}},
         0);
     EXPECT_EQ(trace_hash(first), trace_hash(alone));
     EXPECT_EQ(trace_hash(second), trace_hash(alone));
@@ -58,8 +59,8 @@ TEST(Supervision, RefusesADomainThatAnotherDeploymentUses) {
 TEST(Supervision, ParticipantsOfTheKilledRunDoNotDisturbTheNext) {
   const ScratchFolder folder;
   const auto file = press_with(folder, "domain = 78", "press.toml");
-  const std::string trace = (folder.path() / "trace").string();
-  run_mrroc({"run", file.string(), "--trace", trace}, 0);
+  const std::string trace = (folder.path() / "trace.mcap").string();
+  run_mrroc({"run", file.string(), "--record", trace}, 0);
   const std::string hash = trace_hash(trace);
   for (int i = 0; i < 5; ++i) {
     MrrocRun killed({"run", file.string(), "--clock", "paced"});
@@ -69,7 +70,7 @@ TEST(Supervision, ParticipantsOfTheKilledRunDoNotDisturbTheNext) {
     killed.signal(SIGKILL);
     killed.wait();
     EXPECT_TRUE(all_end(pids));
-    run_mrroc({"run", file.string(), "--trace", trace}, 0);
+    run_mrroc({"run", file.string(), "--record", trace}, 0);
     EXPECT_EQ(trace_hash(trace), hash);
   }
 }
@@ -99,11 +100,11 @@ class ForeignProgram {
 
 TEST(Supervision, SkipsPortsThatAnotherProgramUses) {
   const ScratchFolder folder;
-  const std::string alone = (folder.path() / "alone").string(), beside = (folder.path() / "beside").string();
+  const std::string alone = (folder.path() / "alone.mcap").string(), beside = (folder.path() / "beside.mcap").string();
   const auto file = press_with(folder, "domain = 79", "press.toml");
-  run_mrroc({"run", file.string(), "--trace", alone}, 0);
+  run_mrroc({"run", file.string(), "--record", alone}, 0);
   const ForeignProgram foreign(79, 5);
-  run_mrroc({"run", file.string(), "--trace", beside}, 0);
+  run_mrroc({"run", file.string(), "--record", beside}, 0);
   EXPECT_EQ(trace_hash(beside), trace_hash(alone));
 }
 

@@ -1,9 +1,6 @@
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
-#include <algorithm>
-#include <sstream>
-
 #include "robots/common/changed_file.hpp"
 #include "system/mrroc_run.hpp"
 
@@ -37,10 +34,10 @@ TEST(WrongInput, CommandLineIsRefused) {
   expect_text(run_mrroc({"run", "tasks/press"}, kUsage), "tasks/press");
 }
 
-TEST(WrongInput, RefusesAFileThatIsNotATrace) {
+TEST(WrongInput, RefusesAFileThatIsNotARecording) {
   const ScratchFolder folder;
-  expect_text(run_mrroc({"trace", "hash", "README.md"}, kUsage), "README.md:1: is not a trace");
-  expect_text(run_mrroc({"trace", "hash", folder.write("empty", "").string()}, kUsage), "empty:1: is not a trace");
+  expect_text(run_mrroc({"trace", "hash", "README.md"}, kUsage), "README.md: is not an MCAP file");
+  expect_text(run_mrroc({"trace", "hash", folder.write("empty", "").string()}, kUsage), "empty: is not an MCAP file");
   expect_text(run_mrroc({"trace", "hash", "no/such/trace"}, kUsage), "no/such/trace");
   expect_text(run_mrroc({"trace", "hash", "tasks"}, kUsage), "tasks");
 }
@@ -110,31 +107,22 @@ TEST(WrongInput, DomainInUseIsReported) {
   run_mrroc({"run", folder.write("own.toml", faulty_deployment("caught")).string(), "--quiet"}, 0);
 }
 
-TEST(WrongInput, UnwritableTraceIsReportedBeforeAnythingStarts) {
-  const std::string output = run_mrroc({"run", "tasks/press/press.toml", "--trace", "/no/such/folder/trace"}, kUsage);
-  expect_text(output, "/no/such/folder/trace: No such file or directory");
+TEST(WrongInput, UnwritableRecordingIsReportedBeforeAnythingStarts) {
+  const std::string output = run_mrroc({"run", "tasks/press/press.toml", "--record", "/no/such/folder/r.mcap"}, kUsage);
+  expect_text(output, "cannot write the recording /no/such/folder/r.mcap: No such file or directory");
   expect_nothing_started(output);
-  expect_nothing_started(run_mrroc({"run", "tasks/press/press.toml", "--trace", "tasks"}, kUsage));
+  expect_nothing_started(run_mrroc({"run", "tasks/press/press.toml", "--record", "tasks"}, kUsage));
 }
 
-TEST(WrongInput, TraceThatIsLostAtTheEndIsAnErrorAndItsPartsAreKept) {
+TEST(WrongInput, RecordingThatIsLostIsAnErrorAndNoPartOfItIsKept) {
   const ScratchFolder folder;
-  std::filesystem::create_symlink("/dev/full", folder.path() / "trace");
-  MrrocRun run({"run", "tasks/press_replay/press_replay.toml", "--quiet", "--trace", folder.path() / "trace"});
+  const auto recording = folder.path() / "r.mcap";
+  std::filesystem::create_symlink("/dev/full", recording);
+  MrrocRun run({"run", "tasks/press_replay/press_replay.toml", "--quiet", "--record", recording});
   EXPECT_EQ(run.wait(), kSystem);
-  expect_text(run.err(), "cannot write the trace " + (folder.path() / "trace").string());
-  // a device has no folder for parts: they are in the folder for temporary files
-  const std::string mark = "its parts are kept: ";
-  const std::string err = run.err();
-  ASSERT_NE(err.find(mark), std::string::npos) << err;
-  std::istringstream parts(err.substr(err.find(mark) + mark.size()));
-  std::uintmax_t size = 0;
-  for (std::string part; std::getline(parts >> std::ws, part, ',');) {
-    part.resize(std::min(part.find('\n'), part.size()));
-    size += std::filesystem::file_size(part);
-    std::filesystem::remove(part);
-  }
-  EXPECT_GT(size, 0U);
+  expect_text(run.err(), "cannot write the recording " + recording.string() + ": No space left on device");
+  const std::string part = "mrroc-" + std::to_string(run.pid()) + ".part";
+  EXPECT_FALSE(std::filesystem::exists(std::filesystem::temp_directory_path() / part)) << "a device is written at once";
 }
 
 TEST(WrongInput, UnwritableSnapshotsAreReportedBeforeAnythingStarts) {

@@ -49,12 +49,12 @@ INSTANTIATE_TEST_SUITE_P(Security, TwoHostsWithOrWithoutKeys, testing::Bool(),
                          [](const auto& test) { return test.param ? "keys" : "no_keys"; });
 
 TEST_P(TwoHostsWithOrWithoutKeys, ContinueOverABadCable) {
-  const auto trace = file("press.trace");
+  const auto trace = file("press.mcap");
   const CableFaults faults{.delay = 0.005, .jitter = 0.002, .loss = 0.02, .duplicate = 0.02, .reorder = 0.02};
   // with keys only after the start, which may fail when handshake messages are lost (docs/how-to/two-hosts.md)
   if (!GetParam()) cable_->set(faults);
   const auto deployment = write(hosts("two", "link_timeout = 2\nclock_error = 0.02\n", {}, press()));
-  MrrocRun& run = start_until("running", deployment, {"--trace", trace.string()});
+  MrrocRun& run = start_until("running", deployment, {"--record", trace.string()});
   cable_->set(faults);
   EXPECT_EQ(run.wait(MrrocRun::kLongPatience), 0) << output();
   const Cable::Counts counts = cable_->counts();

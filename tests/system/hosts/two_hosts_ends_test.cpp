@@ -10,7 +10,7 @@
 #include "repetitions.hpp"
 #include "system/hosts/two_hosts.hpp"
 #include "system/keyboard.hpp"
-#include "system/trace_line.hpp"
+#include "system/trace_steps_of.hpp"
 
 namespace mrroc::test::two_hosts_ends_test {
 namespace {
@@ -23,12 +23,12 @@ TEST_F(TwoHosts, NameADeadProcessWithItsHost) {
   ASSERT_GT(run.descendant("arm_edp"), 0);
   kill(run.descendant("arm_edp"), SIGKILL);
   expect_end(kSystem, "process arm_edp on host cell died: signal 9 (Killed)", pids);
-  const auto box = file("boxes") / "hold-arm.trace";
+  const auto box = file("boxes") / "hold-arm.mcap";
   EXPECT_NE(run.out().find("black box: " + box.string()), std::string::npos) << output();
   expect_laws(box);
-  const auto steps = lines_with(box, " process=arm ");
+  const Steps steps = steps_where(box, [](const cli::trace::Line& line) { return line.process == "arm"; });
   ASSERT_FALSE(steps.empty()) << output();
-  EXPECT_NE(steps.back().find("never"), std::string::npos) << steps.back();
+  EXPECT_EQ(steps.back().name, "never");
 }
 
 TEST_F(TwoHosts, NameAStoppedProcessWithItsHost) {

@@ -9,19 +9,56 @@
 #include <string>
 #include <vector>
 
+#include "cli/trace/trace_steps.hpp"
+#include "system/trace_steps_of.hpp"
+
 namespace mrroc::test::two_hosts_test {
 namespace {
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 TEST_F(TwoHostsWithKeys, RunATaskTogether) {
-  const auto trace = file("press.trace");
-  start_until("running", write(hosts("two", kPatientLink, {}, press())), {"--trace", trace.string()});
+  const auto trace = file("press.mcap");
+  start_until("running", write(hosts("two", kPatientLink, {}, press())), {"--record", trace.string()});
   EXPECT_EQ(run_->wait(), 0) << output();
   EXPECT_TRUE(contains(run_->out(), "two succeeded")) << output();
   EXPECT_TRUE(contains(run_->out(), "clock known to")) << output();
   EXPECT_GT(cable_->counts().carried, 1000U);
   expect_laws(trace);
+}
+
+/// The task runs on the other host, and its process sends every step to the runner.
+TEST_F(TwoHosts, StepsOfATaskOnTheOtherHostAreRecorded) {
+  const auto recording = file("caught.mcap");
+  start(write(hosts("caught", kPatientLink, {}, hold())), {"--record", recording.string()});  // that task ends
+  EXPECT_EQ(run_->wait(), 0) << output();
+  expect_laws(recording);
+  const Steps steps = steps_where(recording, [](const cli::trace::Line& line) { return line.process == "arm"; });
+  ASSERT_FALSE(steps.empty()) << output();
+  EXPECT_EQ(steps.front().instruction, 1U) << "the first step is recorded";
+  EXPECT_EQ(steps.front().step, 0U);
+  EXPECT_EQ(steps.back().name, "JointLine") << "the last step is recorded";
+  EXPECT_EQ(steps.back().ending, StepEnding::generator);
+  for (const cli::trace::Line& line : steps) EXPECT_NE(robot_in(line, "arm"), nullptr) << line.name << " " << line.step;
+  int ends = 0;
+  for (const cli::trace::Item& item : cli::trace::read_trace(recording).items)
+    if (const auto* const end = std::get_if<cli::trace::Remark>(&item); end != nullptr && end->process == "arm") {
+      ++ends;
+      EXPECT_EQ(end->lines, steps.size());
+      EXPECT_EQ(end->dropped, 0U);
+    }
+  EXPECT_EQ(ends, 1);
+}
+
+TEST_F(TwoHosts, RefuseToRecordServoTicks) {
+  start(write(hosts("two", kPatientLink, {}, press())),
+        {"--record", file("press.mcap").string(), "--record-rate", "servo"});
+  EXPECT_EQ(run_->wait(), kUsage) << output();
+  EXPECT_TRUE(contains(run_->err(),
+                       "two.toml: --record-rate servo: host 'cell' is another machine, expected "
+                       "--record-rate step"))
+      << output();
+  EXPECT_FALSE(std::filesystem::exists(file("press.mcap")));
 }
 
 /// Devices of usual machines; the addresses of the hosts stay the same.

@@ -7,7 +7,7 @@
 
 #include "robots/arm/arm_model.hpp"
 #include "system/equal_runs.hpp"
-#include "system/trace_line.hpp"
+#include "system/trace_steps_of.hpp"
 #include "text_of.hpp"
 
 namespace mrroc::test::arm_test {
@@ -33,7 +33,8 @@ TEST(ArmTask, ToursItsWorkspaceEquallyInEveryRun) {
   search(kShare);
   const ScratchFolder folder;
   const EqualRuns runs = expect_equal_runs((kArm / "demo.toml").string(), folder);
-  EXPECT_NE(text_of(runs.trace).find(" move="), std::string::npos) << "the robot has not moved";
+  EXPECT_FALSE(steps_where(runs.trace, [](const auto& step) { return step.is_move; }).empty())
+      << "the robot has not moved";
 }
 
 /// With a controller that follows velocities, and a plant model alone.
@@ -72,11 +73,11 @@ TEST(ArmTask, PressesWithTheForceOfItsTask) {
       "\"" MRROC_BINARY_DIR
       "/tests/press_at_home_ecp\"\nhardware = \"mujoco\"\nforce_sensor = \"wrist\"\n[sensors.wrist]\ntype = "
       "\"force_torque\"\nrobot = \"arm\"\nmode = \"interactive\"\n[sim]\nscene = \"press.xml\"\n");
-  const auto trace = folder.path() / "trace";
-  run_mrroc({"run", deployment.string(), "--quiet", "--trace", trace.string()}, 0);
+  const auto trace = folder.path() / "run.mcap";
+  run_mrroc({"run", deployment.string(), "--quiet", "--record", trace.string()}, 0);
   double greatest = 0;
-  for (const std::string& line : lines_with(trace, "move=\"Hold\"")) {
-    const std::vector<double> wrench = numbers_after(line, " wrench=");
+  for (const cli::trace::Line& step : steps_of(trace, "Hold")) {
+    const cli::trace::Numbers& wrench = step.robots.at(0).wrench;
     if (wrench.size() == 6) greatest = std::max(greatest, std::hypot(wrench[0], wrench[1], wrench[2]));
   }
   EXPECT_GT(greatest, 10);

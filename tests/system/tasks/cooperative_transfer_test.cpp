@@ -15,7 +15,7 @@ using transfer::Variant;
 constexpr double kDegree = 0.017453292519943295;
 
 std::vector<std::string> run_of(const std::filesystem::path& deployment, const std::filesystem::path& trace) {
-  return {"run", deployment.string(), "--quiet", "--clock", "lockstep", "--trace", trace.string()};
+  return {"run", deployment.string(), "--quiet", "--clock", "lockstep", "--record", trace.string()};
 }
 
 /// `bench/transfer_sweep` has more bars and takes longer.
@@ -23,7 +23,7 @@ class CooperativeTransfer : public testing::TestWithParam<Variant> {};
 
 TEST_P(CooperativeTransfer, BarFollowsItsPathWithoutInternalForce) {
   const ScratchFolder folder;
-  const auto trace = folder.path() / "trace";
+  const auto trace = folder.path() / "run.mcap";
   const std::string out = run_mrroc(run_of(write_variant(GetParam(), folder.path()), trace), 0);
   const Report report = transfer::read_report(trace);
   EXPECT_TRUE(report.complete) << out;
@@ -44,7 +44,7 @@ INSTANTIATE_TEST_SUITE_P(Bars, CooperativeTransfer,
 
 TEST(CooperativeTransferTask, ContinuesAfterAPauseDuringTheTransfer) {
   const ScratchFolder folder;
-  const auto trace = folder.path() / "trace", deployment = write_variant(Variant{}, folder.path());
+  const auto trace = folder.path() / "run.mcap", deployment = write_variant(Variant{}, folder.path());
   std::ofstream(deployment, std::ios::app) << "\n[[events]]\ntick = 6000\ncommand = \"pause\"\n"
                                               "\n[[events]]\ntick = 6500\ncommand = \"resume\"\n";
   const std::string out = run_mrroc(run_of(deployment, trace), 0);
@@ -55,7 +55,7 @@ TEST(CooperativeTransferTask, ContinuesAfterAPauseDuringTheTransfer) {
 
 TEST(CooperativeTransferTask, ContinuesAfterLateCommandsDuringTheTransfer) {
   const ScratchFolder folder;
-  const auto trace = folder.path() / "trace";
+  const auto trace = folder.path() / "run.mcap";
   for (const char* what : {"delay mp by 25 at tick 3500 for 10 ticks", "delay mp by 40 at tick 5000 for 10 ticks"}) {
     auto arguments = run_of(write_variant(Variant{}, folder.path()), trace);
     arguments.insert(arguments.end(), {"--inject", what});

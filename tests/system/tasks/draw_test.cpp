@@ -1,11 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
-#include <fstream>
 #include <map>
 
 #include "system/equal_runs.hpp"
-#include "system/trace_line.hpp"
+#include "system/trace_steps_of.hpp"
 
 namespace mrroc::test::draw_test {
 namespace {
@@ -43,16 +44,15 @@ double beside(const Place& place, const std::vector<Place>& chain) {
 /// All motions whose commands are poses.
 std::vector<Stroke> strokes_of(const std::filesystem::path& trace) {
   std::vector<Stroke> strokes;
-  std::ifstream file(trace);
-  std::string last;
-  for (std::string line; std::getline(file, line);) {
-    const std::size_t name = line.find(" move=\""), command = line.find(" command=pose,");
-    if (name == std::string::npos || command == std::string::npos) continue;
-    const std::string instruction = line.substr(line.find("instruction="), 16);
-    if (instruction != last) strokes.push_back({line.substr(name + 7, line.find('"', name + 7) - name - 7), {}, {}});
-    last = instruction;
-    strokes.back().commanded.push_back(place_of(numbers_after(line.substr(line.find(':', command)), ":")));
-    strokes.back().measured.push_back(place_of(numbers_after(line, " pose=")));
+  std::uint64_t last = 0;
+  for (const cli::trace::Line& step : steps_of(trace)) {
+    if (!step.is_move || step.robots.empty()) continue;
+    const cli::trace::RobotEntry& robot = step.robots.front();
+    if (!robot.command || robot.command->kind != CommandKind::pose) continue;
+    if (step.instruction != last) strokes.push_back({step.name, {}, {}});
+    last = step.instruction;
+    strokes.back().commanded.push_back(place_of(robot.command->target));
+    strokes.back().measured.push_back(place_of(robot.pose));
   }
   return strokes;
 }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <numeric>
 
 #include "config/deployment.hpp"
@@ -12,7 +11,7 @@
 #include "sim/simulation.hpp"
 #include "sim/state_file.hpp"
 #include "system/equal_runs.hpp"
-#include "system/trace_line.hpp"
+#include "system/trace_steps_of.hpp"
 #include "tasks/engraving/board.hpp"
 #include "text_of.hpp"
 
@@ -52,23 +51,20 @@ struct Strokes {
 
 Strokes strokes_of(const std::filesystem::path& trace) {
   Strokes strokes;
-  std::ifstream file(trace);
-  std::string instruction;
+  std::uint64_t instruction = 0;
   Eigen::Vector3d before;
-  for (std::string line; std::getline(file, line);) {
-    if (line.find("move=\"PoseSpline\"") == std::string::npos) continue;
-    const auto pose = numbers_after(line, " pose=");
-    const double tick = numbers_after(line, "tick=").at(0);
+  for (const cli::trace::Line& step : steps_of(trace, "PoseSpline")) {
+    const cli::trace::Numbers& pose = step.robots.at(0).pose;
+    const auto tick = static_cast<double>(step.tick);
     strokes.measured.values.push_back(board_depth({pose.at(0), pose.at(1), pose.at(2)}));
-    const std::string now = line.substr(line.find("instruction="), 16);
     const Eigen::Vector3d place(pose.at(0), pose.at(1), pose.at(2));
-    if (now != instruction)
+    if (step.instruction != instruction)
       strokes.ticks.emplace_back(tick, tick);
     else
       strokes.length += (place - before).norm();
     before = place;
     strokes.ticks.back().second = tick;
-    instruction = now;
+    instruction = step.instruction;
   }
   return strokes;
 }
@@ -144,9 +140,9 @@ TEST(Engraving, CarvesTheInscriptionToATenthOfAMillimetreIntoAMeasuredBoard) {
 
 TEST(Engraving, BoardAssumedFlatIsCarvedMillimetresWrong) {
   const ScratchFolder folder;
-  const auto trace = folder.path() / "trace";
+  const auto trace = folder.path() / "run.mcap";
   const auto deployment = deployment_with(folder, "columns = 11, rows = 4", "columns = 1, rows = 1");
-  run_mrroc({"run", deployment.string(), "--quiet", "--trace", trace.string()}, 0, MrrocRun::kLongPatience);
+  run_mrroc({"run", deployment.string(), "--quiet", "--record", trace.string()}, 0, MrrocRun::kLongPatience);
   const Strokes strokes = strokes_of(trace);
   ASSERT_EQ(strokes.ticks.size(), 16u);
   std::printf("assumed flat: error %.3f mm RMS, %.3f mm at most\n", 1000 * strokes.measured.error(),

@@ -1,10 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 
 #include "system/equal_runs.hpp"
-#include "system/trace_line.hpp"
+#include "system/trace_steps_of.hpp"
 #include "text_of.hpp"
 
 namespace mrroc::test::follow_test {
@@ -20,16 +19,13 @@ struct Step {
 /// The last instruction of ForceControl: the motion along the workpiece.
 std::vector<Step> way_along(const std::filesystem::path& trace) {
   std::vector<Step> steps;
-  std::ifstream file(trace);
-  std::string instruction;
-  for (std::string line; std::getline(file, line);) {
-    if (line.find("move=\"ForceControl\"") == std::string::npos) continue;
-    const std::string now = line.substr(line.find("instruction="), 16);
-    if (now != instruction) steps.clear();
-    instruction = now;
-    const auto pose = numbers_after(line, " pose="), wrench = numbers_after(line, " wrench=");
-    const auto tick = numbers_after(line, " robot=arm tick=");
-    if (pose.size() == 7 && wrench.size() == 6) steps.push_back({tick.at(0) * 0.002, pose[1], pose[2], wrench[2]});
+  std::uint64_t instruction = 0;
+  for (const cli::trace::Line& step : steps_of(trace, "ForceControl")) {
+    if (step.instruction != instruction) steps.clear();
+    instruction = step.instruction;
+    const cli::trace::RobotEntry& arm = step.robots.at(0);
+    if (arm.wrench.size() == 6)
+      steps.push_back({static_cast<double>(arm.tick) * 0.002, arm.pose[1], arm.pose[2], arm.wrench[2]});
   }
   return steps;
 }

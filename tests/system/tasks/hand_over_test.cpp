@@ -1,9 +1,10 @@
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
+#include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <set>
+#include <stdexcept>
 
 #include "config/deployment.hpp"
 #include "replace.hpp"
@@ -11,7 +12,7 @@
 #include "sim/simulation.hpp"
 #include "sim/state_file.hpp"
 #include "system/equal_runs.hpp"
-#include "system/trace_line.hpp"
+#include "system/trace_steps_of.hpp"
 #include "text_of.hpp"
 
 namespace mrroc::test::hand_over_test {
@@ -81,23 +82,25 @@ struct HandOvers {
 
 HandOvers hand_overs_of(const std::filesystem::path& trace) {
   HandOvers found;
-  std::ifstream file(trace);
-  for (std::string line; std::getline(file, line);) {
-    if (line.starts_with("#")) continue;
-    const auto tick = static_cast<Tick>(std::stoll(line.substr(line.find("tick=") + 5)));
-    if (line.find("process=giver ") != std::string::npos && line.find("condition=\"pulled\"") != std::string::npos) {
-      const double pull = -numbers_after(line, " wrench=").at(1);
+  for (const cli::trace::Line& step : steps_of(trace)) {
+    const Tick tick = step.tick;
+    const cli::trace::ConditionEntry* const pulled = condition_in(step, "pulled");
+    if (step.process == "giver" && pulled != nullptr) {
+      const auto has_wrench = [](const cli::trace::RobotEntry& robot) { return !robot.wrench.empty(); };
+      const auto arm = std::find_if(step.robots.begin(), step.robots.end(), has_wrench);
+      if (arm == step.robots.end()) throw std::runtime_error("a step of the giver without a wrench");
+      const double pull = -arm->wrench.at(1);
       found.last = 0.002 * static_cast<double>(tick);
-      if (line.find("condition=\"pulled\":1") != std::string::npos) {
+      if (pulled->value) {
         EXPECT_GT(pull, kFelt);
         found.felt.push_back(tick);
       } else {
         found.largest_before = std::max(found.largest_before, pull);
       }
     }
-    const std::size_t hand = line.find(" robot=giver_hand ");
-    if (hand == std::string::npos) continue;
-    const double opening = numbers_after(line.substr(hand), " desired=").at(0);
+    const cli::trace::RobotEntry* const hand = robot_in(step, "giver_hand");
+    if (hand == nullptr) continue;
+    const double opening = hand->desired.at(0);
     if (found.last > 0 && found.last_opening < kWidth && opening >= kWidth) found.opened.push_back(tick);
     found.last_opening = opening;
   }
@@ -142,9 +145,9 @@ TEST(ServoChannel, BarsInAnotherOrderReachTheirPositionsToo) {
 
 TEST(ServoChannel, GiverWithoutAPullReportsItAndKeepsTheBar) {
   const ScratchFolder folder;
-  const auto states = folder.path() / "states", trace = folder.path() / "trace";
+  const auto states = folder.path() / "states", trace = folder.path() / "run.mcap";
   std::filesystem::create_directory(states);
-  const std::string output = run_mrroc({"run", folder.write("hand_over.toml", late_deployment(60)).string(), "--trace",
+  const std::string output = run_mrroc({"run", folder.write("hand_over.toml", late_deployment(60)).string(), "--record",
                                         trace.string(), "--snapshots", states.string()},
                                        1, MrrocRun::kLongPatience);
   EXPECT_NE(output.find("the bar was not pulled"), std::string::npos) << output;
@@ -162,13 +165,13 @@ TEST(ServoChannel, LaterPullIsDetectedLater) {
   const std::string end = "\n[[events]]\ntick = 24000\ncommand = \"stop\"\n";
   const auto run = [&](int seconds) -> std::vector<std::string> {
     const std::string name = std::to_string(seconds);
-    return {"run", folder.write(name + ".toml", late_deployment(seconds) + end).string(), "--quiet", "--trace",
-            folder.path() / name};
+    return {"run", folder.write(name + ".toml", late_deployment(seconds) + end).string(), "--quiet", "--record",
+            folder.path() / (name + ".mcap")};
   };
   run_two({run(0), run(5)}, 5, MrrocRun::kLongPatience);
   std::vector<Tick> felt;
   for (const char* name : {"0", "5"}) {
-    const HandOvers found = hand_overs_of(folder.path() / name);
+    const HandOvers found = hand_overs_of(folder.path() / (std::string{name} + ".mcap"));
     ASSERT_EQ(found.felt.size(), 1u);
     ASSERT_EQ(found.opened.size(), 1u);
     EXPECT_GT(found.opened[0], found.felt[0]);

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 
 #include "system/equal_runs.hpp"
-#include "system/trace_line.hpp"
+#include "system/trace_steps_of.hpp"
 #include "text_of.hpp"
 
 namespace mrroc::test::insert_test {
@@ -21,23 +20,22 @@ struct Trial {
 
 std::vector<Trial> trials_of(const std::filesystem::path& trace) {
   std::vector<Trial> trials;
-  std::ifstream file(trace);
-  std::string searching,
-      going_in;  // the two instructions of a trial; the extraction and the next descent are not included
+  // the two instructions of a trial; the extraction and the next descent are not included
+  std::uint64_t searching = 0, going_in = 0;
   double top = 0;
-  for (std::string line; std::getline(file, line);) {
-    const bool search = line.find("move=\"SpiralSearch\"") != std::string::npos;
-    const bool force = line.find("move=\"ForceControl\"") != std::string::npos;
-    const auto pose = numbers_after(line, " pose="), wrench = numbers_after(line, " wrench=");
+  for (const cli::trace::Line& step : steps_of(trace)) {
+    const bool search = step.is_move && step.name == "SpiralSearch";
+    const bool force = step.is_move && step.name == "ForceControl";
     if (!search && !force) continue;
-    const std::string instruction = line.substr(line.find("instruction="), 16);
+    const cli::trace::Numbers &pose = step.robots.at(0).pose, &wrench = step.robots.at(0).wrench;
+    const std::uint64_t instruction = step.instruction;
     if (search && instruction != searching) {
       trials.push_back({std::hypot(pose.at(0) - 0.75, pose.at(1)), 0, 0});
       top = pose.at(2);
       searching = instruction;
-      going_in.clear();
+      going_in = 0;
     }
-    if (force && going_in.empty()) going_in = instruction;
+    if (force && going_in == 0) going_in = instruction;
     if (trials.empty() || (force && instruction != going_in)) continue;
     trials.back().depth = std::max(trials.back().depth, top - pose.at(2));
     if (wrench.size() == 6) trials.back().sideways = std::max(trials.back().sideways, std::hypot(wrench[0], wrench[1]));

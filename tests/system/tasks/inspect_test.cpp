@@ -2,10 +2,10 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <fstream>
+#include <stdexcept>
 
 #include "system/equal_runs.hpp"
-#include "system/trace_line.hpp"
+#include "system/trace_steps_of.hpp"
 #include "text_of.hpp"
 
 namespace mrroc::test::inspect_test {
@@ -31,11 +31,9 @@ Place place_of(const std::vector<double>& pose) {
 
 /// The tool's pose in the last step of the Move with a generator.
 Place last_place(const std::filesystem::path& trace, const std::string& generator) {
-  std::ifstream file(trace);
-  std::vector<double> pose;
-  for (std::string line; std::getline(file, line);)
-    if (line.find("move=\"" + generator + "\"") != std::string::npos) pose = numbers_after(line, " pose=");
-  return place_of(pose);
+  const Steps steps = steps_of(trace, generator);
+  if (steps.empty()) throw std::runtime_error("no step of " + generator);
+  return place_of(steps.back().robots.at(0).pose);
 }
 
 TEST(Inspect, BringsTheGaugeSquareBeforeAPlateThatItsCameraHasFound) {

@@ -2,10 +2,9 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <fstream>
 
 #include "system/equal_runs.hpp"
-#include "system/trace_line.hpp"
+#include "system/trace_steps_of.hpp"
 #include "text_of.hpp"
 
 namespace mrroc::test::polish_test {
@@ -21,18 +20,15 @@ struct Step {
 };
 
 /// The steps of the Moves with a generator.
-std::vector<Step> steps_of(const std::filesystem::path& trace, const std::string& generator) {
+std::vector<Step> steps_in(const std::filesystem::path& trace, const std::string& generator) {
   std::vector<Step> steps;
-  std::ifstream file(trace);
-  for (std::string line; std::getline(file, line);) {
-    if (line.find("move=\"" + generator + "\"") == std::string::npos) continue;
-    const auto p = numbers_after(line, " pose="), wrench = numbers_after(line, " wrench=");
-    if (p.size() != 7 || wrench.size() != 6) continue;
+  for (const cli::trace::Line& line : steps_of(trace, generator)) {
+    const cli::trace::RobotEntry& arm = line.robots.at(0);
+    const cli::trace::Numbers& p = arm.pose;
+    if (arm.wrench.size() != 6) continue;
     const Eigen::Quaterniond turn(p[3], p[4], p[5], p[6]);
-    steps.push_back({0.002 * numbers_after(line, " robot=arm tick=").at(0),
-                     wrench[2],
-                     {p[0], p[1], p[2]},
-                     turn * Vector3d::UnitZ()});
+    steps.push_back(
+        {0.002 * static_cast<double>(arm.tick), arm.wrench[2], {p[0], p[1], p[2]}, turn * Vector3d::UnitZ()});
   }
   return steps;
 }
@@ -47,7 +43,7 @@ TEST(Polish, PressesTheWorkpieceAlongLinesWithItsToolAlongTheNormal) {
     ++touched;
   EXPECT_EQ(touched, 9u) << output;
 
-  const std::vector<Step> lines = steps_of(runs.trace, "SurfaceFollowing");
+  const std::vector<Step> lines = steps_in(runs.trace, "SurfaceFollowing");
   ASSERT_GT(lines.size(), 300u);
   const Vector3d centre(0.79, 0.01, -0.58);
   double squares = 0, leaning = 0, length = 0;
@@ -65,7 +61,7 @@ TEST(Polish, PressesTheWorkpieceAlongLinesWithItsToolAlongTheNormal) {
   EXPECT_LT(std::sqrt(squares / settled), 1.0);
   EXPECT_LT(leaning, 0.09);
 
-  const std::vector<Step> circle = steps_of(runs.trace, "Impedance");
+  const std::vector<Step> circle = steps_in(runs.trace, "Impedance");
   ASSERT_GT(circle.size(), 300u);
   for (const Step& step : circle) {
     if (step.time < circle.front().time + 1) continue;

@@ -54,9 +54,9 @@ unsigned seeds() {
 
 void expect_relieved(const Carriers& by, unsigned seed) {
   const ScratchFolder folder;
-  const auto trace = folder.path() / "trace";
+  const auto trace = folder.path() / "run.mcap";
   const auto file = deployment(by, Variant{1.5, Variant::error_of(seed)}, "yes", folder);
-  const std::string out = run_mrroc({"run", file.string(), "--quiet", "--trace", trace.string()}, 0);
+  const std::string out = run_mrroc({"run", file.string(), "--quiet", "--record", trace.string()}, 0);
   const Report report = transfer::read_report(trace, by.arms);
   EXPECT_TRUE(report.complete) << "seed " << seed << "\n" << out;
   EXPECT_LT(report.worst_internal(), 15) << "seed " << seed;
@@ -80,10 +80,10 @@ TEST(SharedTransfer, ArmsOfFiveAxesRelieveTheBarByTheirOwnSensors) {
 TEST(SharedTransfer, ArmsRelieveTheBarInAWorldWithModestErrors) {
   for (unsigned seed = 1; seed <= seeds(); ++seed) {
     const ScratchFolder folder;
-    const auto trace = folder.path() / "trace";
+    const auto trace = folder.path() / "run.mcap";
     const auto file = deployment(kSix, Variant{1.5, Pose::Identity()}, "yes", folder);
-    const std::string out = run_mrroc({"run", file.string(), "--quiet", "--trace", trace.string(), "--errors", "modest",
-                                       "--seed", std::to_string(seed)},
+    const std::string out = run_mrroc({"run", file.string(), "--quiet", "--record", trace.string(), "--errors",
+                                       "modest", "--seed", std::to_string(seed)},
                                       0);
     const Report report = transfer::read_report(trace);
     EXPECT_TRUE(report.complete) << "seed " << seed << "\n" << out;
@@ -97,9 +97,9 @@ TEST(SharedTransfer, ArmsRelieveTheBarInAWorldWithModestErrors) {
 
 TEST(SharedTransfer, WithoutComplianceTheArmsWorkAgainstEachOther) {
   const ScratchFolder folder;
-  const auto trace = folder.path() / "trace";
+  const auto trace = folder.path() / "run.mcap";
   const auto file = deployment(kSix, Variant{1.5, Variant::error_of(1)}, "no", folder);
-  run_mrroc({"run", file.string(), "--quiet", "--trace", trace.string()}, 1);  // a force limit ends it
+  run_mrroc({"run", file.string(), "--quiet", "--record", trace.string()}, 1);  // a force limit ends it
   const Report report = transfer::read_report(trace);
   EXPECT_FALSE(report.complete);
   EXPECT_GT(report.worst_internal(), 15);

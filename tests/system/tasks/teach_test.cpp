@@ -3,10 +3,9 @@
 
 #include <Eigen/Core>
 #include <algorithm>
-#include <fstream>
 
 #include "system/equal_runs.hpp"
-#include "system/trace_line.hpp"
+#include "system/trace_steps_of.hpp"
 #include "text_of.hpp"
 
 namespace mrroc::test::teach_test {
@@ -25,15 +24,12 @@ struct Motion {
 
 std::vector<Motion> motions_of_arm(const std::filesystem::path& trace) {
   std::vector<Motion> motions;
-  std::ifstream file(trace);
-  std::string instruction;
-  for (std::string line; std::getline(file, line);) {
-    const std::size_t name = line.find(" move=\"");
-    if (line.find(" process=arm ") == std::string::npos || name == std::string::npos) continue;
-    const std::string now = line.substr(line.find("instruction="), 16);
-    if (now != instruction) motions.push_back({line.substr(name + 7, line.find('"', name + 7) - name - 7), {}});
-    instruction = now;
-    const auto pose = numbers_after(line, " pose=");
+  std::uint64_t instruction = 0;
+  for (const cli::trace::Line& step : steps_of(trace)) {
+    if (step.process != "arm" || !step.is_move) continue;
+    if (step.instruction != instruction) motions.push_back({step.name, {}});
+    instruction = step.instruction;
+    const cli::trace::Numbers& pose = step.robots.at(0).pose;
     motions.back().places.emplace_back(pose.at(0), pose.at(1), pose.at(2));
   }
   return motions;
@@ -100,9 +96,9 @@ TEST(Teach, ReleasedToolDoesNotMove) {
   ASSERT_NE(scene.find(grip), std::string::npos);
   scene.replace(scene.find(grip), grip.size(), "gainprm=\"0 0 0\"");
   folder.write("teach.xml", scene);
-  const auto trace = folder.path() / "trace";
+  const auto trace = folder.path() / "run.mcap";
   run_mrroc(
-      {"run", folder.write("teach.toml", text_of(task / "teach.toml")).string(), "--quiet", "--trace", trace.string()},
+      {"run", folder.write("teach.toml", text_of(task / "teach.toml")).string(), "--quiet", "--record", trace.string()},
       0, 600);
   const auto led = named(motions_of_arm(trace), "LeadThrough + TeachIn");
   ASSERT_EQ(led.size(), 1u);

@@ -10,7 +10,7 @@
 
 namespace mrroc::task_test {
 
-/// One step of a Move or Wait, as recorded in the trace (docs/reference/trace.md).
+/// One step of a Move or Wait, as it is recorded (docs/reference/recording.md).
 struct Step {
   Tick tick = 0;
   std::string process;      ///< the process that runs the instruction
@@ -18,7 +18,7 @@ struct Step {
   bool is_move = false;
   std::uint64_t step = 0;  ///< of the instruction, from 0
   std::string ending;      ///< why the instruction ends here; empty: it continues
-  std::string line;        ///< the whole line
+  std::string json;        ///< the whole step, as `mrroc trace cat` prints its message
 };
 
 /// Results of a run.
@@ -26,7 +26,7 @@ struct RunResult {
   int exit_code = 0;        ///< of `mrroc run`; minus the signal that has ended it
   std::string output;       ///< stdout and stderr
   std::string error;        ///< the line with the reason of the end: "mrroc: <deployment>: ..."; may be empty
-  std::vector<Step> steps;  ///< of all task processes, as the trace has them
+  std::vector<Step> steps;  ///< of all task processes, in the order of the recording
   std::map<std::string, Motion> motion;  ///< of every robot of the simulated world
   std::map<std::string, Tick> injected;  ///< when each fault was injected; faults that never occurred are absent
   std::vector<std::string> leftovers;    ///< processes that outlived the run: "<pid> <command>"; they have been killed

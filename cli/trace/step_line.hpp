@@ -1,0 +1,12 @@
+#pragma once
+
+#include "cli/trace/line.hpp"
+#include "messages/mrroc_msgs/step.hpp"
+
+namespace mrroc::cli::trace {
+
+/// The step that a message of a recording describes. Throws Malformed when the message is not one of a step: a number
+/// that is not finite, a rotation that is none, an unknown kind, a target of the wrong size.
+Line to_line(const messages::mrroc_msgs::Step& step);
+
+}  // namespace mrroc::cli::trace
