@@ -46,7 +46,7 @@ set(CPACK_DEBIAN_MRROC_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_DEBIAN_LIBMRROC-DEV_PACKAGE_NAME libmrroc-dev)
 set(CPACK_DEBIAN_LIBMRROC-DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_LIBMRROC-DEV_PACKAGE_DEPENDS
-  "mrroc (= ${PROJECT_VERSION}), cmake, g++, cyclonedds-dev, libcli11-dev, libeigen3-dev, libssl-dev, libtinyxml2-dev")
+  "mrroc (= ${PROJECT_VERSION}), cmake, g++, cyclonedds-dev, libcli11-dev, libeigen3-dev, libssl-dev, libtinyxml2-dev, libzstd-dev")
 
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Programming several robots and their sensors as one system")
 set(CPACK_DEBIAN_MRROC_DESCRIPTION "Tasks written in C++ command robots and read sensors by two instructions, Move

@@ -25,7 +25,7 @@ struct SoakRun {
   std::uint64_t ticks = 0, missed = 0, late = 0;  ///< of all servos
   std::uint64_t steps = 0, skew = 0;              ///< of the MP
   std::uintmax_t trace_bytes = 0;
-  std::string hash;    ///< of the trace; empty when the run failed
+  std::string hash;    ///< of the steps; empty when the run failed
   long peak = 0;       ///< KiB, the most that any process had at any time, the runner at the end too
   std::string output;  ///< remaining output, for example errors
 };

@@ -30,6 +30,7 @@ constexpr int kTurn = 20;                                             // ms
 constexpr std::int64_t kPatienceWithRunner = 5 * clock::kSecond / 2;  // to take more of the waiting lines
 constexpr double kPatienceWithStart = 10;      // s beyond the deployment's `start_timeout`, which the runner applies
 constexpr std::size_t kMostWaiting = 4 << 20;  // bytes that the runner has not taken
+constexpr std::size_t kMostSteps = 1 << 20;    // the same, before a further step is sent
 
 void add_to(int wake, int fd) {
   epoll_event event{};
@@ -108,7 +109,7 @@ void Agent::prepare() {
   compare_files(order_, deployment_);
   for (const PlannedProcess& process : plan_processes(deployment_))
     if (process.host == order_.host) plan_.push_back(process);
-  check_limits(plan_.size());
+  check_limits(plan_.size(), order_.record ? process::StepRing::memory_size() : 0);
   const in_addr runner = ipv4_of(order_.machines.front());
   const in_addr own = own_address_towards(runner);
   own_address_ = to_text(own);
@@ -253,9 +254,10 @@ void Agent::turn_at_the_end() {
   runner_.flush();
 }
 
-/// A runner that does not take them must not take the memory of this machine: then they are dropped and counted.
+/// A runner that does not take them gets no further ones, so that there is room for what else it must receive: they are
+/// dropped and counted.
 void Agent::send_steps() {
-  if (records_ && runner_.waiting() < kMostWaiting) records_->send_steps(runner_);
+  if (records_) records_->send_steps(runner_, kMostSteps);
 }
 
 void Agent::drain() {

@@ -14,7 +14,7 @@
 /// The protocol between `mrroc run` and `mrroc agent`, its helper on another host: lines of a word and its text.
 ///
 ///     runner: an order, then `start EPOCH_NS` (of the agent's clock), then `stop`
-///     agent:  `mrroc-agent 1 VERSION`, `beat PORT`, `missing NAMES` (those not ready; empty at last), `started`,
+///     agent:  `mrroc-agent 2 VERSION`, `beat PORT`, `missing NAMES` (those not ready; empty at last), `started`,
 ///             `line PROCESS TEXT`, `lost PROCESS EXIT_CODE HOW`, `failed EXIT_CODE REASON`, `step PROCESS STEP`,
 ///             `steps_end PROCESS ADDED DROPPED`, `last_step PROCESS STEP`, `ended`; STEP is to_text of a step
 ///
@@ -22,7 +22,7 @@
 namespace mrroc::cli {
 
 /// The first word, the version of the protocol and that of MRROC++.
-inline constexpr std::string_view kAgentGreeting = "mrroc-agent 1 " MRROC_VERSION;
+inline constexpr std::string_view kAgentGreeting = "mrroc-agent 2 " MRROC_VERSION;
 
 /// The order that an agent receives before it starts anything.
 struct AgentOrder {

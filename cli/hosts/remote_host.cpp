@@ -128,13 +128,18 @@ void RemoteHost::hear(const std::string& line) {
   } else if (word == "line") {
     listener_.message(name + " | " + rest);
   } else if (word == "step") {
-    hear_step(name, rest, listener_.step);
+    step_at_ = clock::monotonic_ns();
+    std::optional<recording::RecordedStep> step = step_of(rest);
+    if (!step) return fail(process::ExitCode::system, "a step of " + name + " is damaged");
+    listener_.step(name, std::move(*step));
   } else if (word == "steps_end") {
     const auto [added, dropped] = split_word(rest);
     listener_.steps_end(name, {static_cast<std::uint64_t>(whole_number(added).value_or(0)),
                                static_cast<std::uint64_t>(whole_number(dropped).value_or(0))});
   } else if (word == "last_step") {
-    hear_step(name, rest, listener_.last_step);
+    step_at_ = clock::monotonic_ns();
+    // of a run that may have succeeded
+    if (std::optional<recording::RecordedStep> step = step_of(rest)) listener_.last_step(name, std::move(*step));
   } else if (word == "lost") {
     const auto [code, how] = split_word(rest);
     listener_.lost(name, static_cast<int>(whole_number(code).value_or(-1)), how);
@@ -144,13 +149,6 @@ void RemoteHost::hear(const std::string& line) {
   } else if (word == "ended") {
     said_ended_ = true;
   }
-}
-
-void RemoteHost::hear_step(const std::string& process, const std::string& text,
-                           const std::function<void(const std::string&, recording::RecordedStep)>& take) {
-  step_at_ = clock::monotonic_ns();
-  if (std::optional<recording::RecordedStep> step = step_of(text)) return take(process, std::move(*step));
-  fail(process::ExitCode::system, "a step of " + process + " is damaged");
 }
 
 void RemoteHost::poll_agent() {

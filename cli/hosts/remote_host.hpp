@@ -69,9 +69,6 @@ class RemoteHost {
   std::string summary() const;
 
  private:
-  /// Passes on the step of a process; a text that is not one fails the run.
-  void hear_step(const std::string& process, const std::string& text,
-                 const std::function<void(const std::string&, recording::RecordedStep)>& take);
   void hear(const std::string& line);
   void poll_agent();
   void poll_link();

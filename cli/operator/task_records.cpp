@@ -1,5 +1,8 @@
 #include "cli/operator/task_records.hpp"
 
+#include <cstdint>
+#include <optional>
+
 namespace mrroc::cli {
 
 TaskRecords::TaskRecords(const AgentOrder& order, const std::vector<PlannedProcess>& processes) {
@@ -16,14 +19,18 @@ void TaskRecords::add_to(process::Arguments& arguments) const {
     arguments.black_box_fd = found->second.fd();
 }
 
-void TaskRecords::send_steps(LineChannel& runner) {
-  for (auto& [task, steps] : steps_)
-    while (const std::optional<recording::RecordedStep> step = steps.take())
+void TaskRecords::send_steps(LineChannel& runner, std::size_t most) {
+  for (auto& [task, steps] : steps_) {
+    while (runner.waiting() < most) {
+      const std::optional<recording::RecordedStep> step = steps.take();
+      if (!step) break;
       runner.write("step " + task + " " + to_text(*step));
+    }
+  }
 }
 
 void TaskRecords::send_rest(LineChannel& runner) {
-  send_steps(runner);
+  send_steps(runner, SIZE_MAX);
   for (const auto& [task, steps] : steps_)
     if (steps.ended())
       runner.write("steps_end " + task + " " + std::to_string(steps.added()) + " " + std::to_string(steps.dropped()));

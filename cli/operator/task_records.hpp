@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <string>
 #include <vector>
@@ -22,8 +23,8 @@ class TaskRecords {
 
   /// Adds the descriptors for the records of the process; none for a process without a task.
   void add_to(process::Arguments& arguments) const;
-  /// Sends the steps that have been made since the last call.
-  void send_steps(LineChannel& runner);
+  /// Sends the steps that have been made since the last call, while the runner has not taken fewer than `most` bytes.
+  void send_steps(LineChannel& runner, std::size_t most);
   /// Sends all that remains once the processes have ended.
   void send_rest(LineChannel& runner);
 

@@ -2,6 +2,7 @@
 
 #include <poll.h>
 #include <sys/stat.h>
+#include <sys/sysmacros.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -21,10 +22,14 @@ constexpr const char* kWhat = "the recording";
 constexpr int kGlance = 20;            // ms between two checks whether to continue
 constexpr std::size_t kPiece = 65536;  // bytes
 
-/// Whether it is written at the end only: its reader may stop.
+constexpr unsigned kMemoryDevices = 1;  // major number of /dev/null and the like: they never wait
+
+/// Whether it is written at the end only: its reader may stop, or it is slow.
 bool is_stream(int fd) {
   struct stat status {};
-  return fstat(fd, &status) == 0 && (S_ISFIFO(status.st_mode) || S_ISSOCK(status.st_mode));
+  if (fstat(fd, &status) != 0) return false;
+  const bool device = S_ISCHR(status.st_mode) && major(status.st_rdev) != kMemoryDevices;
+  return device || S_ISFIFO(status.st_mode) || S_ISSOCK(status.st_mode);
 }
 
 process::ClaimedFile new_part() {
@@ -45,15 +50,15 @@ bool would_mix(int fd, const std::filesystem::path& path) {
 
 }  // namespace
 
-RecordingOutput::RecordingOutput(const std::filesystem::path& path, double patience, const Wait& wait) : path_(path) {
-  const std::int64_t deadline = clock::monotonic_ns() + static_cast<std::int64_t>(patience * 1e9);
+RecordingOutput::RecordingOutput(const std::filesystem::path& path, double timeout, const Wait& wait) : path_(path) {
+  const std::int64_t deadline = clock::monotonic_ns() + static_cast<std::int64_t>(timeout * 1e9);
   for (;;) {
     file_.emplace(path, kWhat);
     if (opened()) break;
     if (clock::monotonic_ns() > deadline)
       throw std::runtime_error("the recording " + path_.string() +
                                ": no process reads the FIFO, expected a reader within " +
-                               std::to_string(static_cast<int>(patience)) + " s");
+                               std::to_string(static_cast<int>(timeout)) + " s");
     if (!wait(kGlance)) return;
   }
   if (is_stream(file_->fd())) part_.emplace(new_part());
@@ -61,7 +66,7 @@ RecordingOutput::RecordingOutput(const std::filesystem::path& path, double patie
 
 RecordingOutput::~RecordingOutput() {
   std::error_code ignored;
-  if (part_ && part_->in_place()) std::filesystem::remove(part_->path(), ignored);
+  if (part_ && !kept_ && part_->in_place()) std::filesystem::remove(part_->path(), ignored);
 }
 
 void RecordingOutput::clear() {
@@ -69,7 +74,13 @@ void RecordingOutput::clear() {
 }
 
 void RecordingOutput::pass_on(const Continue& go_on) {
-  if (!part_) return;
+  if (part_) copy_part(go_on);
+  if (const int problem = file_->close(); problem != 0) fail(std::strerror(problem));
+  kept_ = false;
+}
+
+void RecordingOutput::copy_part(const Continue& go_on) {
+  kept_ = true;  // until the stream has all of it
   std::string piece(kPiece, '\0');
   for (off_t done = 0;;) {
     const ssize_t size = pread(part_->fd(), piece.data(), piece.size(), done);
@@ -79,7 +90,6 @@ void RecordingOutput::pass_on(const Continue& go_on) {
     write(std::string_view{piece}.substr(0, static_cast<std::size_t>(size)), go_on);
     done += size;
   }
-  if (const int problem = file_->close(); problem != 0) fail(std::strerror(problem));
 }
 
 void RecordingOutput::write(std::string_view text, const Continue& go_on) {
@@ -102,7 +112,8 @@ void RecordingOutput::write(std::string_view text, const Continue& go_on) {
 }
 
 void RecordingOutput::fail(const std::string& reason) const {
-  throw std::runtime_error("cannot write the recording " + path_.string() + ": " + reason);
+  throw std::runtime_error("cannot write the recording " + path_.string() + ": " + reason +
+                           (kept_ ? "; it is in " + part_->path().string() : ""));
 }
 
 int descriptor_for_progress(const std::filesystem::path& recording) {

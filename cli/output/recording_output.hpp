@@ -19,13 +19,13 @@ class RecordingOutput {
   /// Called before each wait and after each piece of text, with the s since the reader last took text; false ends it.
   using Continue = std::function<bool(double stalled)>;
 
-  /// Opens and claims it. Waits up to `patience` s for the reader of a FIFO; when the operator ends that wait the FIFO
+  /// Opens and claims it. Waits up to `timeout` s for the reader of a FIFO; when the operator ends that wait the FIFO
   /// is not opened. Throws std::runtime_error that names the output and the reason.
-  RecordingOutput(const std::filesystem::path& path, double patience, const Wait& wait);
+  RecordingOutput(const std::filesystem::path& path, double timeout, const Wait& wait);
 
   RecordingOutput(const RecordingOutput&) = delete;
   RecordingOutput& operator=(const RecordingOutput&) = delete;
-  /// Removes the file in the folder for temporary files.
+  /// Removes the file in the folder for temporary files, unless its stream did not take it.
   ~RecordingOutput();
 
   bool opened() const noexcept { return !file_->waits(); }
@@ -34,17 +34,20 @@ class RecordingOutput {
   const process::ClaimedFile& live() const noexcept { return part_ ? *part_ : *file_; }
   /// Removes the content of an earlier run. Throws std::runtime_error when it cannot.
   void clear();
-  /// At the end, when `live` is complete: passes it on to the stream, if it is one. Throws std::runtime_error when it
-  /// cannot be written, or `go_on` ends it.
+  /// At the end, when `live` is complete: passes it on to the stream, if it is one, and closes it. Throws
+  /// std::runtime_error when it cannot be written, or `go_on` ends it; the message names the file in the folder for
+  /// temporary files, which then stays.
   void pass_on(const Continue& go_on);
 
  private:
+  void copy_part(const Continue& go_on);
   void write(std::string_view text, const Continue& go_on);
   [[noreturn]] void fail(const std::string& reason) const;
 
   std::filesystem::path path_;
   std::optional<process::ClaimedFile> file_;
   std::optional<process::ClaimedFile> part_;  // of a stream
+  bool kept_ = false;                         // the stream has not taken all of it
 };
 
 /// Where a run whose recording is this file shows its progress: 1, or 2 when it is the standard output. Throws

@@ -14,7 +14,7 @@ struct PlannedProcess {
   std::string name;  ///< mp; a robot's name (its ECP); <robot>_edp; <robot>_drives; a sensor's name (its VSP); sim
   std::filesystem::path program;
   clock::Part part = clock::Part::task;
-  bool has_task = false;  ///< an MP or ECP: it runs instructions and may write a trace
+  bool has_task = false;  ///< an MP or ECP: it runs instructions, whose steps may be recorded
   std::string host = {};  ///< where it runs; empty: the runner's machine
 };
 

@@ -44,10 +44,10 @@ void check_open_files(std::size_t processes) {
            " for " + std::to_string(processes) + " processes");
 }
 
-void check_file_size() {
+void check_file_size(std::size_t recorded) {
   rlimit limit{};
-  const std::size_t needed =
-      std::max({sizeof(clock::ClockMemory), sizeof(world::WorldMemory), process::SharedBlackBox::memory_size()});
+  const std::size_t needed = std::max(
+      {sizeof(clock::ClockMemory), sizeof(world::WorldMemory), process::SharedBlackBox::memory_size(), recorded});
   if (getrlimit(RLIMIT_FSIZE, &limit) == 0 && limit.rlim_cur < needed)
     refuse("File too large: the file size limit (ulimit -f), in bytes,", limit.rlim_cur, needed,
            " for the memory that the processes share");
@@ -55,9 +55,9 @@ void check_file_size() {
 
 }  // namespace
 
-void check_limits(std::size_t processes) {
+void check_limits(std::size_t processes, std::size_t recorded) {
   check_open_files(processes);
-  check_file_size();
+  check_file_size(recorded);
 }
 
 }  // namespace mrroc::cli

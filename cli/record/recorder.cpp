@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "cli/operator/event_notes.hpp"
+#include "core/shown_text.hpp"
 #include "messages/mrroc_msgs/event.hpp"
 #include "messages/mrroc_msgs/process_end.hpp"
 #include "messages/mrroc_msgs/servo_end.hpp"
@@ -159,6 +160,8 @@ void Recorder::write(const Waiting& waiting) {
 void Recorder::write_step(Source& source, const recording::RecordedStep& step) {
   try {
     const auto message = messages::from_cdr<messages::mrroc_msgs::Step>(step.cdr);
+    if (message.process != source.process)
+      throw messages::CdrError("process '" + core::shown(message.process) + "', expected '" + source.process + "'");
     source.cut += message.cut ? 1 : 0;
     topics_.write(message, step);
   } catch (const messages::CdrError& error) {

@@ -9,6 +9,7 @@
 
 #include "cli/record/standard_messages.hpp"
 #include "cli/ros2/event_numbers.hpp"
+#include "cli/ros2/sensor_frames.hpp"
 #include "links/ros2/ros_names.hpp"
 
 namespace mrroc::cli {
@@ -74,6 +75,11 @@ void Bridge::add_robots(const config::Deployment& deployment) {
     fixed.transforms.insert(fixed.transforms.end(), frames.fixed().begin(), frames.fixed().end());
     const std::string space = one ? name_space_ : ros2::in_namespace(name_space_, robot.name);
     robots_.try_emplace(robot.name, node_, robot, space, std::move(frames));
+  }
+  const auto flange = [this](const std::string& robot) { return robots_.at(robot).frames().flange(); };
+  for (const config::SensorEntry& sensor : deployment.sensors) {
+    if (cameras_.has(sensor.name)) continue;  // its frame comes with its pictures
+    if (auto frame = sensor_frame(sensor, flange, kWorld)) fixed.transforms.push_back(std::move(*frame));
   }
   tf_static_.publish(fixed);
 }

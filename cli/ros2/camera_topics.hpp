@@ -35,6 +35,8 @@ class CameraTopics {
   CameraTopics(const CameraTopics&) = delete;
   CameraTopics& operator=(const CameraTopics&) = delete;
 
+  /// Whether this sensor is one of them. Any thread.
+  bool has(const std::string& sensor) const { return topics_.contains(sensor); }
   /// Takes the run's newest event "world"; it draws nothing. One thread.
   void take(const std::string& event, const messages::builtin_interfaces::Time& stamp);
   /// Why a camera has no pictures, once for each reason. One thread.

@@ -95,7 +95,7 @@ void RobotFrames::add(const Joint& joint, const Pose& pose, Transforms& transfor
 }
 
 void RobotFrames::append(const messages::builtin_interfaces::Time& stamp, std::span<const double> joints,
-                         const Pose& tool_pose, Transforms& transforms) const {
+                         const Pose& tool_pose, const Pose& tool_in_flange, Transforms& transforms) const {
   const std::size_t first = transforms.size();
   std::map<std::string_view, double> positions;
   for (std::size_t i = 0; i < joints.size() && i < joints_.size(); ++i) positions[joints_[i]] = joints[i];
@@ -109,6 +109,7 @@ void RobotFrames::append(const messages::builtin_interfaces::Time& stamp, std::s
       add(joint, moved(joint, position), transforms);
     }
   }
+  transforms.push_back(transform_of(base(), flange(), tool_pose * tool_in_flange.inverse()));
   transforms.push_back(transform_of(base(), tool(), tool_pose));
   for (std::size_t i = first; i < transforms.size(); ++i) transforms[i].header.stamp = stamp;
 }

@@ -32,7 +32,7 @@ void RobotTopics::publish(const nlohmann::ordered_json& event, const messages::b
   // before the absolute positions are known the joints are not, and a viewer would show a wrong robot
   if (event.value("synchronised", false)) {
     joint_states_.publish(state);
-    frames_.append(stamp, state.position, pose_of(event, "pose"), transforms);
+    frames_.append(stamp, state.position, pose_of(event, "pose"), pose_of(event, "tool"), transforms);
   }
   const std::vector<double> wrench = numbers_of(event, "wrench");
   if (wrench_ && wrench.size() == 6)

@@ -38,9 +38,12 @@ std::vector<PlannedProcess> processes_on(const std::string& host, const std::vec
 }
 
 /// The text, when the limits of this process allow what a run needs.
-const std::string& within_limits(const std::vector<PlannedProcess>& plan, const std::string& text) {
-  check_limits(processes_on("", plan).size());
-  return text;
+const std::string& within_limits(const std::vector<PlannedProcess>& plan, const RunOptions& options) {
+  const std::size_t recorded = options.recording.empty()    ? 0
+                               : options.record_servo_ticks ? edp::ServoTap::memory_size()
+                                                            : process::StepRing::memory_size();
+  check_limits(processes_on("", plan).size(), recorded);
+  return options.text;
 }
 
 /// Nothing when there is no bridge.
@@ -60,7 +63,7 @@ Runner::Runner(const config::Deployment& deployment, RunOptions options)
     : deployment_(deployment),
       options_(std::move(options)),
       plan_(plan_processes(deployment_)),
-      text_(within_limits(plan_, options_.text)),
+      text_(within_limits(plan_, options_)),
       black_boxes_(options_.black_box, deployment_, options_.text, plan_),
       progress_(names_of(plan_), deployment_.servo_period, options_.quiet, descriptor_for_progress(options_.recording)),
       domain_lock_(deployment_.domain, domain_of_ros2(deployment_, options_)),

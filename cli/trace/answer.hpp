@@ -20,7 +20,7 @@ struct Answer {
   bool late = false;
   /// A robot of several in one Move.
   bool in_group = false;
-  /// The robot executed a command of its ECP, equation (11): a line of that process has it.
+  /// The robot executed a command of its ECP, equation (11): a step of that process has it.
   bool by_ecp = false;
 
   /// The robot stopped first, because the command begins later than the motion before ended.
@@ -34,7 +34,7 @@ struct Answer {
   bool braked() const noexcept { return to.tick > to.macrostep + command.motion_steps && to.desired_tick > to.tick; }
 };
 
-/// One for each robot whose state in the line answers the command of the line before without an error. Empty where the
+/// One for each robot whose state in the step answers the command of the step before without an error. Empty where the
 /// robots held or were queried in between, or the exchange was broken off.
 std::vector<Answer> answers(const Step& step);
 

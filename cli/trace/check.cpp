@@ -9,7 +9,7 @@ namespace mrroc::cli::trace {
 
 namespace {
 
-constexpr std::size_t kDeferred = 100;  // kept violations of a process that its remark may explain
+constexpr std::size_t kDeferred = 100;  // kept violations of a process that its end may explain
 
 class Check {
  public:
@@ -25,8 +25,8 @@ class Check {
       const auto item = reader_.next();
       if (const auto* line = std::get_if<Line>(&item)) {
         check(*line);
-      } else if (const auto* remark = std::get_if<Remark>(&item)) {
-        check(*remark);
+      } else if (const auto* end = std::get_if<ProcessEnd>(&item)) {
+        check(*end);
       } else {
         finish();
         return verdict_;
@@ -48,31 +48,31 @@ class Check {
     settle(found, line.process);
   }
 
-  void check(const Remark& remark) {
+  void check(const ProcessEnd& end) {
     std::vector<Violation> found;
     for (const Rule& rule : rules_) {
-      Findings findings(rule, remark.number, found);
-      if (rule.check_end != nullptr) rule.check_end(remark, memory_, findings);
+      Findings findings(rule, end.number, found);
+      if (rule.check_end != nullptr) rule.check_end(end, memory_, findings);
     }
-    memory_.take(remark);
-    settle(found, remark.process);
-    if (remark.dropped != 0) {
-      note(remark.number, words("process ", remark.process, " has dropped ", remark.dropped,
-                                " steps: missing ones are not a violation"));
-      deferred_.erase(remark.process);
+    memory_.take(end);
+    settle(found, end.process);
+    if (end.dropped != 0) {
+      note(end.number,
+           words("process ", end.process, " has dropped ", end.dropped, " steps: missing ones are not a violation"));
+      deferred_.erase(end.process);
     }
-    if (remark.cut != 0)
-      note(remark.number, words(remark.cut, " steps of process ", remark.process, " were too long and not looked at"));
-    tell_deferred(remark.process);
+    if (end.cut != 0)
+      note(end.number, words(end.cut, " steps of process ", end.process, " were too long and not checked"));
+    tell_deferred(end.process);
   }
 
-  /// A process without a remark was killed, and its trace with it.
+  /// A process without a end was killed, and its trace with it.
   void finish() {
     for (const auto& [name, process] : memory_.processes) {
       tell_deferred(name);
       if (process.lines != 0) ++verdict_.processes;
       if (process.ended) continue;
-      std::string text = words("the trace of process ", name, " stops here: it was killed");
+      std::string text = words("the steps of process ", name, " stop here: it was killed");
       for (const auto& open : process.open) text += words(", in instruction ", open.first);
       note(process.last_line, text);
     }
@@ -111,7 +111,7 @@ class Check {
   const std::function<void(const std::string&)>& report_;
   const Rules rules_;
   Memory memory_;
-  std::map<std::string, std::vector<Violation>> deferred_;  ///< by process: its remark decides whether they count
+  std::map<std::string, std::vector<Violation>> deferred_;  ///< by process: its end decides whether they count
   Verdict verdict_;
 };
 

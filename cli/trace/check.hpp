@@ -26,7 +26,7 @@ struct Verdict {
 /// with the length of the recording. Throws std::runtime_error when the file cannot be read or a message is wrong.
 Verdict check_trace(const std::filesystem::path& file, const std::function<void(const std::string&)>& report);
 
-/// Every rule with the equation it states, one per line.
+/// Every rule with the equation it states, one per step.
 std::string text_of_rules();
 
 }  // namespace mrroc::cli::trace

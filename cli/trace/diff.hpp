@@ -22,7 +22,7 @@ struct Comparison {
 };
 
 /// Compares the steps of each process in their order, field by field, bit by bit; the order of processes among each
-/// other, remarks and clocks do not count. Stops at the first difference in the order of the files. Throws what
+/// other, ends and clocks do not count. Stops at the first difference in the order of the files. Throws what
 /// Reader::next throws.
 Comparison compare(Reader& first, Reader& second);
 

@@ -81,7 +81,7 @@ struct Line {
   std::optional<std::string> until;
   std::uint64_t step = 0;
   std::uint64_t held = 0;
-  bool obtained = false;  ///< the states are those of a query since the line before
+  bool obtained = false;  ///< the states are those of a query since the step before
   std::vector<RobotEntry> robots;
   std::vector<SensorEntry> sensors;
   std::vector<ConditionEntry> conditions;

@@ -18,8 +18,8 @@ bool follows(const Line& line, const Line& before) {
   return line.step == before.step + 1 || (line.step == before.step && line.broken_off());
 }
 
-/// The later one of the two lines about a step is compared with the earlier one, and then both are settled. Holds of
-/// the MP have a line of the ECP only.
+/// The later one of the two steps about a step is compared with the earlier one, and then both are settled. Holds of
+/// the MP have a step of the ECP only.
 void remember_superior(const Line& line, const RobotEntry& robot, RobotMemory& known) {
   if (robot.coordination == Coordination::left) known.followed.reset();
   if (robot.superior) {
@@ -125,7 +125,7 @@ void Memory::take(const Line& line) {
   instruction.before = line;
 }
 
-void Memory::take(const Remark& remark) { processes[remark.process].ended = true; }
+void Memory::take(const ProcessEnd& end) { processes[end.process].ended = true; }
 
 std::string key_of(const std::vector<ConditionEntry>& conditions) {
   std::string key;

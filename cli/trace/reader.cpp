@@ -2,7 +2,6 @@
 
 #include <stdexcept>
 
-#include "cli/trace/malformed.hpp"
 #include "cli/trace/step_line.hpp"
 #include "config/clock_names.hpp"
 #include "core/number_text.hpp"
@@ -14,7 +13,7 @@ namespace mrroc::cli::trace {
 
 namespace {
 
-using messages::mrroc_msgs::ProcessEnd;
+using EndMessage = messages::mrroc_msgs::ProcessEnd;
 using StepMessage = messages::mrroc_msgs::Step;
 
 }  // namespace
@@ -37,7 +36,7 @@ Reader::Reader(const std::filesystem::path& file) : path_(file), recording_(file
   black_box_ = last_seconds_ || metadata.contains(recording::kBlackBox);
 }
 
-std::variant<std::monostate, Line, Remark> Reader::next() {
+std::variant<std::monostate, Line, ProcessEnd> Reader::next() {
   while (const auto message = recording_.next()) try {
       ++number_;
       if (message->type == StepMessage::kType) {
@@ -47,24 +46,24 @@ std::variant<std::monostate, Line, Remark> Reader::next() {
         ++steps_[line.process];
         return line;
       }
-      if (message->type == ProcessEnd::kType) return remark_of(*message);
+      if (message->type == EndMessage::kType) return end_of(*message);
     } catch (const std::runtime_error& error) {
       throw std::runtime_error(path_.string() + ":" + std::to_string(number_) + ": " + error.what());
     }
   return {};
 }
 
-Remark Reader::remark_of(const recording::RecordedMessage& message) const {
-  const auto end = messages::from_cdr<ProcessEnd>(message.cdr);
-  const auto found = steps_.find(end.process);
-  Remark remark;
-  remark.number = number_;
-  remark.process = end.process;
+ProcessEnd Reader::end_of(const recording::RecordedMessage& message) const {
+  const auto read = messages::from_cdr<EndMessage>(message.cdr);
+  const auto found = steps_.find(read.process);
+  ProcessEnd end;
+  end.number = number_;
+  end.process = read.process;
   // of the last seconds the recording has fewer than the process has made
-  remark.lines = !last_seconds_ ? end.steps : found == steps_.end() ? 0 : found->second;
-  remark.dropped = end.dropped;
-  remark.cut = end.cut;
-  return remark;
+  end.lines = !last_seconds_ ? read.steps : found == steps_.end() ? 0 : found->second;
+  end.dropped = read.dropped;
+  end.cut = read.cut;
+  return end;
 }
 
 }  // namespace mrroc::cli::trace

@@ -11,12 +11,12 @@
 namespace mrroc::cli::trace {
 
 /// The end of a process's steps: mrroc_msgs/msg/ProcessEnd.
-struct Remark {
+struct ProcessEnd {
   std::size_t number = 0;  ///< of its message in the file, from 1
   std::string process;
   std::uint64_t lines = 0;    ///< steps that the process has passed on
   std::uint64_t dropped = 0;  ///< that it has not, because the disk was slow
-  std::uint64_t cut = 0;      ///< of `lines`: too long, the rest is missing
+  std::uint64_t cut = 0;      ///< of `steps`: too long, the rest is missing
 };
 
 /// Reads the steps of a recording one by one, at any size: one chunk of the file is in memory at a time. One thread.
@@ -31,12 +31,12 @@ class Reader {
   bool black_box() const noexcept { return black_box_; }
   /// The next step or end of a process; nothing (std::monostate) at the end. Throws std::runtime_error "FILE:MESSAGE:
   /// field ..." when a message is not one of a step.
-  std::variant<std::monostate, Line, Remark> next();
+  std::variant<std::monostate, Line, ProcessEnd> next();
   /// At the end: the run has closed the recording. False: it was killed, or the disk was full.
   bool complete() const noexcept { return recording_.complete(); }
 
  private:
-  Remark remark_of(const recording::RecordedMessage& message) const;
+  ProcessEnd end_of(const recording::RecordedMessage& message) const;
 
   std::filesystem::path path_;
   recording::RecordingReader recording_;

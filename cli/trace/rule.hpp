@@ -14,7 +14,7 @@ struct Violation {
   const Rule* rule = nullptr;
   std::size_t line = 0;  ///< number in the file
   std::string found, expected;
-  /// Lines may have been dropped there, which is allowed under the real clock: the process's remark decides.
+  /// Lines may have been dropped there, which is allowed under the real clock: the process's end decides.
   bool may_be_dropped = false;
 };
 
@@ -27,7 +27,7 @@ class Findings {
   void add(std::string found, std::string expected) {
     violations_.push_back({&rule_, line_, std::move(found), std::move(expected), false});
   }
-  /// Adds a finding that missing lines would explain.
+  /// Adds a finding that missing steps would explain.
   void add_unless_dropped(std::string found, std::string expected) {
     violations_.push_back({&rule_, line_, std::move(found), std::move(expected), true});
   }
@@ -38,12 +38,12 @@ class Findings {
   std::vector<Violation>& violations_;
 };
 
-/// One line and the record of the lines before it.
+/// One step and the record of the steps before it.
 struct Step {
   const Line& line;
-  const Line* before;                    ///< of the step before; null at the first one, or where lines are missing
-  const InstructionMemory* instruction;  ///< null when the instruction begins with this line
-  const ProcessMemory* process;          ///< null at the process's first line
+  const Line* before;                    ///< of the step before; null at the first one, or where steps are missing
+  const InstructionMemory* instruction;  ///< null when the instruction begins with this step
+  const ProcessMemory* process;          ///< null at the process's first step
   const Memory& memory;
 
   bool simulated() const noexcept { return memory.simulated; }
@@ -55,10 +55,10 @@ struct Rule {
   const char* name;
   const char* equation;  ///< the equation of the paper, or the part of the design, that it states
   const char* says;
-  /// Checks a line. Null: the rule is about remarks.
+  /// Checks a step. Null: the rule is about ends.
   void (*check)(const Step& step, Findings& findings);
-  /// Checks a process's remark. Null: the rule is about lines.
-  void (*check_end)(const Remark& remark, const Memory& memory, Findings& findings) = nullptr;
+  /// Checks a process's end. Null: the rule is about steps.
+  void (*check_end)(const ProcessEnd& end, const Memory& memory, Findings& findings) = nullptr;
 };
 
 using Rules = std::vector<Rule>;

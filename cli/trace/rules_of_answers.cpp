@@ -8,9 +8,9 @@ namespace mrroc::cli::trace {
 
 namespace {
 
-/// The process had nothing else to wait for between the newest tick of the line and its commands.
+/// The process had nothing else to wait for between the newest tick of the step and its commands.
 bool sent_at_once(const Step& step) {
-  if (step.memory.black_box) return false;  // it may have an instruction in progress without a line so far
+  if (step.memory.black_box) return false;  // it may have an instruction in progress without a step so far
   const std::vector<SensorEntry>& sensors = step.before->sensors;
   return step.process->open.size() == 1 && std::all_of(sensors.begin(), sensors.end(), [](const SensorEntry& sensor) {
            return sensor.mode == SensorMode::published;

@@ -27,7 +27,7 @@ void hold_stays(const Step& step, Findings& findings) {
     if (answer.to.moving) findings.add(words("robot ", answer.to.name, " moves after a hold at rest"), "rest");
     if (answer.to.desired != answer.from.desired)
       findings.add(
-          words("desired=", words_of(answer.to.desired), " of robot ", answer.to.name, " after a hold at rest"),
+          words("desired joints ", words_of(answer.to.desired), " of robot ", answer.to.name, " after a hold at rest"),
           words_of(answer.from.desired));
   }
 }
@@ -47,7 +47,7 @@ void joint_target(const Step& step, Findings& findings) {
       for (std::size_t i = 0; i < target.size(); ++i) target[i] += answer.from.desired[i];
     const double tolerance = command.interpolation == Interpolation::task ? kOfPath : 0;
     if (!near(answer.to.desired, target, tolerance))
-      findings.add(words("desired=", words_of(answer.to.desired), " of robot ", answer.to.name),
+      findings.add(words("desired joints ", words_of(answer.to.desired), " of robot ", answer.to.name),
                    words(words_of(target), ", as commanded"));
   }
 }

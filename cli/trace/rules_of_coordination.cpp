@@ -45,23 +45,25 @@ void one_commander(const Step& step, Findings& findings) {
           command.tick >= step.line.tick)
         continue;
       findings.add(words("robot ", robot.name, " is commanded by ", process, " too, at tick ", command.tick,
-                         " in line ", command.line),
+                         " in message ", command.line),
                    words("by ", step.line.process, " alone, from tick ", step.before->tick, " to ", step.line.tick));
     }
   }
 }
 
-/// The lines of the MP and of the ECP about one step may come in either order: the later one is compared.
+/// The steps of the MP and of the ECP about one step may come in either order: the later one is compared.
 void superior_command(const Step& step, Findings& findings) {
-  if (step.memory.black_box) return;  // lines of one side may be missing
+  if (step.memory.black_box) return;  // steps of one side may be missing
   for (const RobotEntry& robot : step.line.robots) {
     if (robot.superior && !robot.command)
-      findings.add(words("superior= of robot ", robot.name, " without a command"), "the command that follows from it");
+      findings.add(words("superior command of robot ", robot.name, " without a command"),
+                   "the command that follows from it");
     const RobotMemory* known = step.memory.robot(robot.name);
     const CommandEntry* other = known != nullptr ? known->wish_of(step.line, robot) : nullptr;
     if (other != nullptr && *other != (robot.superior ? *robot.superior : *robot.command))
-      findings.add_unless_dropped(words("the command of the MP to robot ", robot.name, " differs from superior="),
-                                  "one command in the lines of the MP and of the ECP");
+      findings.add_unless_dropped(
+          words("the command of the MP to robot ", robot.name, " differs from the superior command in the step"),
+          "one command in the steps of the MP and of the ECP");
   }
 }
 

@@ -29,7 +29,7 @@ void step_count(const Step& step, Findings& findings) {
   const Line& before = step.instruction->before;
   const bool same = step.line.step == before.step && step.line.broken_off();
   if (step.line.step == before.step + 1 || same) return;
-  // lines that are missing leave a gap; a repeated step is always a violation
+  // steps that are missing leave a gap; a repeated step is always a violation
   const std::string found = words("step ", step.line.step), expected = words("step ", before.step + 1);
   if (step.line.step > before.step)
     findings.add_unless_dropped(found, expected);
@@ -75,7 +75,7 @@ bool same_names(const std::vector<ConditionEntry>& a, const std::vector<Conditio
   return all_same(a, b, [](const ConditionEntry& x, const ConditionEntry& y) { return x.name == y.name; });
 }
 
-/// The parts of the condition are not in the line of an end that does not evaluate them.
+/// The parts of the condition are not in the step of an end that does not evaluate them.
 bool shows_conditions(const Line& line) {
   return !line.ends() || line.ending == StepEnding::condition || line.ending == StepEnding::generator;
 }
@@ -112,30 +112,31 @@ void lists(const Step& step, Findings& findings) {
     for (const RobotEntry& robot : step.line.robots)
       for (const RobotEntry& taken : other.before.robots)
         if (robot.name == taken.name)
-          findings.add_unless_dropped(
-              words("robot ", robot.name, " while instruction ", number, " of line ", other.before.number, " moves it"),
-              words("the end of instruction ", number, " before"));
+          findings.add_unless_dropped(words("robot ", robot.name, " while instruction ", number, " of message ",
+                                            other.before.number, " moves it"),
+                                      words("the end of instruction ", number, " before"));
   }
 }
 
 void nothing_after_end(const Step& step, Findings& findings) {
   if (step.begins() && step.line.instruction <= last_instruction(step) && !step.memory.began_before(step.line))
-    findings.add(words("a line of instruction ", step.line.instruction), "none: it has ended before");
+    findings.add(words("a step of instruction ", step.line.instruction), "none: it has ended before");
 }
 
-void all_end(const Remark& remark, const Memory& memory, Findings& findings) {
-  const ProcessMemory* process = memory.process(remark.process);
+void all_end(const ProcessEnd& end, const Memory& memory, Findings& findings) {
+  const ProcessMemory* process = memory.process(end.process);
   if (process == nullptr) return;
-  if (process->ended) findings.add(words("a second remark of process ", remark.process), "one");
+  if (process->ended) findings.add(words("a second end of process ", end.process), "one");
   if (memory.black_box) return;  // other instructions continue in parallel when an error ends one
   for (const auto& [number, open] : process->open)
-    findings.add_unless_dropped(words("instruction ", number, " stops at line ", open.before.number, " without end="),
-                                "an end: the process was not killed");
+    findings.add_unless_dropped(
+        words("instruction ", number, " stops at message ", open.before.number, " without an end"),
+        "an end: the process was not killed");
 }
 
 void nothing_after_remark(const Step& step, Findings& findings) {
   if (step.process != nullptr && step.process->ended)
-    findings.add(words("a line of process ", step.line.process), "none below its remark");
+    findings.add(words("a step of process ", step.line.process), "none behind its end");
 }
 
 }  // namespace
@@ -143,12 +144,12 @@ void nothing_after_remark(const Step& step, Findings& findings) {
 Rules rules_of_instructions() {
   return {{"instruction-count", "(3) (5)", "a process's instructions are 1, 2, 3, ...", instruction_count},
           {"step-count", "(3) (5): i = i0, ..., im", "an instruction's steps are 0, 1, 2, ...", step_count},
-          {"one-form", "(3) (5)", "an instruction's lines have one name, one condition, one list of robots and sensors",
+          {"one-form", "(3) (5)", "an instruction's steps have one name, one condition, one list of robots and sensors",
            one_form},
-          {"lists", "(3) (5)", "a robot or sensor is once in a line, a robot in one instruction at a time", lists},
+          {"lists", "(3) (5)", "a robot or sensor is once in a step, a robot in one instruction at a time", lists},
           {"nothing-after-end", "(3) (5): i <= im", "nothing follows an instruction's end", nothing_after_end},
           {"all-end", "(3) (5): im", "every instruction of a process that was not killed ends", nullptr, all_end},
-          {"remark-is-last", "trace", "nothing of a process follows its remark", nothing_after_remark}};
+          {"end-is-last", "trace", "nothing of a process follows its end", nothing_after_remark}};
 }
 
 }  // namespace mrroc::cli::trace

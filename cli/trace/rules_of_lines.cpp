@@ -33,7 +33,7 @@ void ticks_go_on(const Step& step, Findings& findings) {
     if (robot.tick < known->second.tick)
       findings.add(words("tick ", robot.tick, " of robot ", robot.name), words("at least ", known->second.tick));
     if (robot.late < known->second.late)
-      findings.add(words("late=", robot.late, " of robot ", robot.name), words("at least ", known->second.late));
+      findings.add(words(robot.late, " late commands of robot ", robot.name), words("at least ", known->second.late));
     if (robot.macrostep < known->second.macrostep)
       findings.add(words("macrostep ", robot.macrostep, " of robot ", robot.name),
                    words("at least ", known->second.macrostep));
@@ -61,24 +61,23 @@ void readings_go_on(const Step& step, Findings& findings) {
   }
 }
 
-void every_line(const Remark& remark, const Memory& memory, Findings& findings) {
-  const ProcessMemory* process = memory.process(remark.process);
+void every_line(const ProcessEnd& end, const Memory& memory, Findings& findings) {
+  const ProcessMemory* process = memory.process(end.process);
   const std::uint64_t lines = process == nullptr ? 0 : process->lines;
-  if (lines != remark.lines)
-    findings.add(words(lines, " steps of process ", remark.process),
-                 words(remark.lines, ", as many as it has passed on"));
-  if (memory.simulated && remark.dropped != 0)
-    findings.add(words(remark.dropped, " dropped steps"), "none: a simulated clock waits for the recording");
+  if (lines != end.lines)
+    findings.add(words(lines, " steps of process ", end.process), words(end.lines, ", as many as it has passed on"));
+  if (memory.simulated && end.dropped != 0)
+    findings.add(words(end.dropped, " dropped steps"), "none: a simulated clock waits for the recording");
 }
 
 }  // namespace
 
 Rules rules_of_lines() {
-  return {{"line-order", "trace", "steps are in the order in which they were made, by tick, then process", line_order},
-          {"line-tick", "trace", "tick is the newest one of the step's robots and sensors", line_tick},
+  return {{"step-order", "trace", "steps are in the order in which they were made, by tick, then process", line_order},
+          {"step-tick", "trace", "tick is the newest one of the step's robots and sensors", line_tick},
           {"ticks-go-on", "trace", "ticks and late counts of a process's robots never decrease", ticks_go_on},
           {"readings-go-on", "trace", "no reading is older than the instruction's one before", readings_go_on},
-          {"every-line", "trace", "every step that a process has passed on is there", nullptr, every_line}};
+          {"every-step", "trace", "every step that a process has passed on is there", nullptr, every_line}};
 }
 
 }  // namespace mrroc::cli::trace

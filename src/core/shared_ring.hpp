@@ -57,10 +57,14 @@ class SharedRing {
   /// No further entry will come. The writer's thread.
   void end() noexcept { memory_->ended.store(1, std::memory_order_release); }
 
-  /// The oldest entry, valid until `pop`; null: the ring is empty. The reader's thread.
+  /// Bytes of memory of each.
+  static constexpr std::size_t memory_size() noexcept { return sizeof(Memory); }
+  /// The oldest entry, valid until `pop`; null: the ring is empty, or its writer has damaged its memory. The reader's
+  /// thread.
   const Entry* front() const noexcept {
     const std::uint64_t taken = memory_->taken.load(std::memory_order_relaxed);
-    if (taken == memory_->added.load(std::memory_order_acquire)) return nullptr;
+    const std::uint64_t waiting = memory_->added.load(std::memory_order_acquire) - taken;
+    if (waiting == 0 || waiting > kEntries) return nullptr;
     return &memory_->entries[taken % kEntries];
   }
   /// Removes the oldest entry; there must be one. The reader's thread.

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-/// Lines of the text files that people make: taught paths, readings, EDS files, TOML, letters, traces. Each format
+/// Lines of the text files that people make: taught paths, readings, EDS files, TOML, letters. Each format
 /// defines the content of a line; the rules for what surrounds it are common:
 ///
 /// - a byte order mark of UTF-8 at the beginning of the file is not part of it;

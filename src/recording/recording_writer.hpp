@@ -56,7 +56,6 @@ class RecordingWriter {
   int save(int fd) const;
   /// As save() returns it; 0 when the messages are in memory.
   int close() { return file_ ? file_->close() : 0; }
-  int failure() const noexcept { return file_ ? file_->failure() : 0; }
 
  private:
   void begin(ChunkedFile& file) const;

@@ -188,7 +188,11 @@ TEST_F(Outputs, OneSignalDuringTheTaskEndsARunWhoseReaderHasStopped) {
 
 TEST_F(Outputs, ReaderThatLeavesIsAnError) {
   EXPECT_EQ(bash(R"(mkfifo f; head -c 10 f > got & $MRROC run $SHORT --quiet --record f; test $? = 4)"), 0) << output;
-  EXPECT_TRUE(has(output, "cannot write the recording f: Broken pipe")) << output;
+  EXPECT_TRUE(has(output, "cannot write the recording f: Broken pipe; it is in ")) << output;
+  EXPECT_EQ(bash(R"(mkdir -p kept; export TMPDIR=$PWD/kept; head -c 10 f > got & $MRROC run $SHORT --quiet --record f
+      ls kept/mrroc-*.part && $MRROC trace check kept/mrroc-*.part)"),
+            0)
+      << output;
 }
 
 TEST_F(Outputs, FullDiskAndFileSizeLimitEndTheRun) {

@@ -127,6 +127,8 @@ class Ros2(unittest.TestCase):
             chain = matrix(frames[name].transform) @ chain
             name = frames[name].header.frame_id
         self.assertEqual(moving["arm_tool"].header.frame_id, "base")
+        self.assertEqual(moving["arm_flange"].header.frame_id, "base")
+        self.assertEqual(fixed["wrist"].header.frame_id, "arm_flange")
         numpy.testing.assert_allclose(chain, matrix(moving["arm_tool"].transform), atol=1e-6)
 
     def test_topics_have_the_types_and_hashes_of_ros2(self):

@@ -129,7 +129,7 @@ TEST(TraceCheck, ReportsViolationsNotesAndMalformedFiles) {
   for (std::size_t i = 80; i < 100; ++i) spoilt.line(i).tick -= 1;
   spoilt.write(wrong);
   const std::string ten = run_mrroc({"trace", "check", wrong.string()}, kViolated);
-  EXPECT_NE(ten.find("wrong.mcap:81: line-tick: tick="), std::string::npos) << ten;
+  EXPECT_NE(ten.find("wrong.mcap:81: step-tick: tick="), std::string::npos) << ten;
   EXPECT_NE(ten.find("20 violations, the first 10 are shown (--all: every one)"), std::string::npos) << ten;
   EXPECT_EQ(std::count(ten.begin(), ten.end(), '\n'), 11);
   const std::string all = run_mrroc({"trace", "check", "--all", wrong.string()}, kViolated);
@@ -138,7 +138,7 @@ TEST(TraceCheck, ReportsViolationsNotesAndMalformedFiles) {
   const std::string bytes = text_of(trace);
   const auto killed = folder.write("killed.mcap", bytes.substr(0, bytes.size() / 2));
   const std::string notes = run_mrroc({"trace", "check", killed.string()}, kHolds);
-  EXPECT_NE(notes.find(": note: the trace of process arm stops here"), std::string::npos) << notes;
+  EXPECT_NE(notes.find(": note: the steps of process arm stop here"), std::string::npos) << notes;
   EXPECT_NE(notes.find("killed.mcap: note: ends early"), std::string::npos) << notes;
   std::string damaged = bytes;
   damaged[damaged.size() / 2] = static_cast<char>(damaged[damaged.size() / 2] ^ 1);

@@ -84,6 +84,7 @@ std::string robot_event(const std::string& name, const RobotState& state) {
             {"motors", numbers(state.motors)},
             {"current", numbers(state.current)},
             {"pose", numbers(state.pose)},
+            {"tool", numbers(state.tool)},
             {"desired_pose", numbers(state.desired_pose)},
             {"wrench", numbers(state.wrench)},
             {"inputs", state.inputs.digital},

@@ -33,7 +33,7 @@ class ClaimedFile {
  public:
   /// Opens a file for writing, and creates it when it is missing. Does not wait for the reader of a FIFO: `waits` is
   /// then true. `/dev/fd/N`, `/dev/stdout` and the like are the open descriptor itself, at its present position. `what`
-  /// is the caller's name for it, "the trace". Throws std::runtime_error with that name, the file and the reason;
+  /// is the caller's name for it, "the recording". Throws std::runtime_error with that name, the file and the reason;
   /// FileInUse with the process that writes it.
   ClaimedFile(std::filesystem::path path, const std::string& what);
   /// Creates the first of `name(1)`, `name(2)`, ... that does not exist. Throws std::runtime_error when this fails.

@@ -40,8 +40,12 @@ class EncodedStep {
   }
   /// Whether values are lost.
   bool full() const noexcept { return full_; }
-  /// Never more than the buffer, even of a corrupted one in shared memory.
-  std::span<const std::byte> view() const noexcept { return {bytes_.data(), std::min(size_, kCapacity)}; }
+  /// Never more than the buffer, even of one in shared memory that a corrupted process changes meanwhile.
+  std::span<const std::byte> view() const noexcept {
+    const volatile std::size_t& shared = size_;
+    const std::size_t size = shared;
+    return {bytes_.data(), std::min(size, kCapacity)};
+  }
 
   template <class Number>
   requires std::integral<Number> || std::floating_point<Number> EncodedStep& operator<<(Number value) noexcept {
@@ -56,7 +60,8 @@ class EncodedStep {
   EncodedStep& operator<<(std::string_view text) noexcept {
     *this << static_cast<std::uint32_t>(text.size() + 1);
     if (!has_room(text.size() + 1)) return *this;
-    std::memcpy(bytes_.data() + size_, text.data(), text.size());
+    const std::span<const std::byte> characters = std::as_bytes(std::span(text));
+    std::copy(characters.begin(), characters.end(), bytes_.begin() + size_);
     size_ += text.size();
     bytes_[size_++] = std::byte{0};
     return *this;

@@ -1,5 +1,7 @@
 #include "process/record/step_encoder.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "messages/mrroc_msgs/sensor_reading.hpp"
@@ -12,6 +14,7 @@ using messages::mrroc_msgs::SensorReading;
 
 constexpr double kNanoseconds = 1e9;              // of a second
 constexpr std::uint64_t kSecond = 1'000'000'000;  // ns
+constexpr std::size_t kShortened = 1000;          // characters of a name in a step that is too long
 
 void add_vector(EncodedStep& step, const JointVector& values) noexcept {
   step.count(static_cast<std::size_t>(values.size()));
@@ -126,17 +129,18 @@ void add_sensor(EncodedStep& step, const InstructionRecord::SensorEntry& sensor,
   add_error(step, reading.error);
 }
 
+/// At most `longest` characters of each name.
 void add_head(EncodedStep& step, const config::Deployment& deployment, std::string_view process,
-              const StepRecord& record) noexcept {
+              const StepRecord& record, std::size_t longest) noexcept {
   const InstructionRecord& instruction = *record.instruction;
   const std::uint64_t time =
       record.tick * static_cast<std::uint64_t>(std::llround(deployment.servo_period * kNanoseconds));
   step.clear();
   step << static_cast<std::int32_t>(time / kSecond) << static_cast<std::uint32_t>(time % kSecond)
        << std::uint64_t{record.tick} << process << std::uint64_t{instruction.number} << instruction.is_move
-       << std::string_view{instruction.name};
+       << std::string_view{instruction.name}.substr(0, longest);
   step.count(instruction.until ? 1 : 0);
-  if (instruction.until) step << std::string_view{*instruction.until};
+  if (instruction.until) step << std::string_view{*instruction.until}.substr(0, longest);
   step << std::uint64_t{record.step} << std::uint64_t{record.held} << record.obtained;
 }
 
@@ -166,11 +170,11 @@ void add_rest(EncodedStep& step, const config::Deployment& deployment, const Ste
 
 void encode_step(EncodedStep& step, const config::Deployment& deployment, std::string_view process,
                  const StepRecord& record) noexcept {
-  add_head(step, deployment, process, record);
+  add_head(step, deployment, process, record, std::string_view::npos);
   add_rest(step, deployment, record);
   step << false;
   if (!step.full()) return;
-  add_head(step, deployment, process, record);
+  add_head(step, deployment, process, record, kShortened);
   step.count(0).count(0).count(0);  // robots, sensors, conditions
   step << std::uint8_t{0};          // ending
   step.count(0);                    // skew

@@ -16,7 +16,7 @@ namespace mrroc::process {
 class StepReporter : public StepObserver {
  public:
   explicit StepReporter(Process& process);
-  /// The recording learns that no step follows.
+  /// Marks the end of the steps.
   ~StepReporter() override;
   StepReporter(const StepReporter&) = delete;
   StepReporter& operator=(const StepReporter&) = delete;

@@ -27,8 +27,9 @@ void StepRing::add(Tick tick, const EncodedStep& step, bool waits) noexcept {
 std::optional<recording::RecordedStep> StepRing::take() {
   const Entry* const entry = ring_.front();
   if (entry == nullptr) return std::nullopt;
-  // a corrupted process may have written any size
-  const std::size_t size = std::min(entry->size, entry->bytes.size());
+  // a corrupted process may write any size, at any time
+  const volatile std::size_t& shared = entry->size;
+  const std::size_t now = shared, size = std::min(now, entry->bytes.size());
   std::optional<recording::RecordedStep> step{
       {entry->tick, {entry->bytes.begin(), entry->bytes.begin() + static_cast<std::ptrdiff_t>(size)}}};
   ring_.pop();

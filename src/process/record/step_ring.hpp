@@ -25,6 +25,8 @@ class StepRing {
   /// Throws SystemError(resources) when `fd` is not such a memory. The descriptor stays the caller's.
   static StepRing attach(int fd);
 
+  /// Bytes of memory of each.
+  static constexpr std::size_t memory_size() noexcept { return Ring::memory_size(); }
   /// Descriptor of a memory that was created here; -1 otherwise. Closed with this object.
   int fd() const noexcept { return ring_.fd(); }
 

@@ -24,9 +24,10 @@ config::RobotEntry installed(const std::string& type) {
   return robot;
 }
 
-RobotFrames::Transforms moving(const RobotFrames& frames, const std::vector<double>& joints) {
+RobotFrames::Transforms moving(const RobotFrames& frames, const std::vector<double>& joints,
+                               const Pose& tool = Pose::Identity(), const Pose& tool_in_flange = Pose::Identity()) {
   RobotFrames::Transforms transforms;
-  frames.append({}, joints, Pose::Identity(), transforms);
+  frames.append({}, joints, tool, tool_in_flange, transforms);
   return transforms;
 }
 
@@ -52,6 +53,18 @@ TEST(RobotFrames, AJointsTransformIsItsOriginAndItsMotion) {
   EXPECT_EQ(column.header.frame_id, "base");
   EXPECT_NEAR(column.transform.rotation.z, std::sqrt(0.5), 1e-12);
   EXPECT_NEAR(column.transform.rotation.w, std::sqrt(0.5), 1e-12);
+}
+
+TEST(RobotFrames, FlangeIsTheToolWithoutItsFrame) {
+  const RobotFrames frames(installed("irb6"), "left/", "world");
+  Pose tool = Pose::Identity(), in_flange = Pose::Identity();
+  tool.linear() = Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitX()).toRotationMatrix();
+  tool.translation() = Eigen::Vector3d(0.8, 0, 0.5);
+  in_flange.translation() = Eigen::Vector3d(0, 0, 0.2);
+  const auto found = by_child(moving(frames, std::vector<double>(6, 0.0), tool, in_flange));
+  EXPECT_EQ(found.at("left/arm_flange").header.frame_id, frames.base());
+  EXPECT_NEAR(found.at("left/arm_flange").transform.translation.z, 0.7, 1e-12);
+  EXPECT_NEAR(found.at("left/arm_tool").transform.translation.z, 0.5, 1e-12);
 }
 
 TEST(RobotFrames, MeshesOfTheDescriptionAreFilesOfThisMachine) {

@@ -49,9 +49,9 @@ TEST(BlackBoxOfATrace, TheLastLinesOfSeveralProcessesKeepTheRules) {
             box.items.push_back(item);
           continue;
         }
-        Remark remark = std::get<Remark>(item);
-        remark.lines = kept[remark.process];
-        box.items.emplace_back(remark);
+        ProcessEnd end = std::get<ProcessEnd>(item);
+        end.lines = kept[end.process];
+        box.items.emplace_back(end);
       }
       ASSERT_EQ(check(box).text(), "") << of_arm << " of arm, " << of_mp << " of mp";
     }
@@ -75,14 +75,14 @@ TEST(BlackBoxOfATrace, FindsErrors) {
     // a line twice
     TraceSteps twice = box;
     twice.items.insert(twice.items.begin() + 2, twice.items[2]);
-    std::get<Remark>(twice.items.back()).lines = 5;
+    std::get<ProcessEnd>(twice.items.back()).lines = 5;
     if (!third.ends()) {
       EXPECT_TRUE(check(twice).rules.contains("step-count"));
       ++steps;
     }
     TraceSteps gone = box;
     gone.items.erase(gone.items.begin() + 2);
-    EXPECT_TRUE(check(gone).rules.contains("every-line"));
+    EXPECT_TRUE(check(gone).rules.contains("every-step"));
     ++missing;
     if (third.robots.empty() || third.held != 0 || third.broken_off() || third.robots[0].error != ErrorClass::none ||
         box.line(1).robots[0].command->kind != CommandKind::joint || box.line(1).robots[0].command->relative ||

@@ -106,7 +106,7 @@ class Cell {
       std::swap(line_, of_ecp_);
       robots_[list_[0]].coordination = coordination;
       end(StepEnding::generator);
-      remark(line_.process);
+      end(line_.process);
     }
     robots_[list_[0]].coordination = Coordination::none;
     now_ += 10;
@@ -134,9 +134,9 @@ class Cell {
     for (const std::string& name : list_) robots_[name].error = ErrorClass::none;
   }
 
-  void remark(const std::string& process) { trace_.items.emplace_back(Remark{0, process, lines_[process], 0, 0}); }
+  void end(const std::string& process) { trace_.items.emplace_back(ProcessEnd{0, process, lines_[process], 0, 0}); }
 
-  /// Each step is made at the newest tick that its process knows.
+  /// Each step is made at the newest tick that its process has received.
   TraceSteps trace() {
     std::map<std::string, Tick> newest;
     for (Item& item : trace_.items)
@@ -287,7 +287,7 @@ void arm_alone(Cell& cell) {
   cell.begin("arm", "Servo", true, {"arm"}, {eye});
   for (int i = 0; i < 3; ++i) cell.step({pose(0.7 + 0.01 * i)});
   cell.end(StepEnding::stopped);
-  cell.remark("arm");
+  cell.end("arm");
 }
 
 void both_robots(Cell& cell) {
@@ -303,7 +303,7 @@ void both_robots(Cell& cell) {
   cell.step({hold()}, parts(true, false));
   cell.step({hold()}, parts(false, true));
   cell.end(StepEnding::condition, parts(true, true));
-  cell.remark("mp");
+  cell.end("mp");
 }
 
 void with_its_ecp(Cell& cell) {

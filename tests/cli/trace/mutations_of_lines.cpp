@@ -91,8 +91,8 @@ bool second_commander(TraceSteps& trace, Random& random) {
       copy.process += "_twin";
       items.emplace_back(copy);
     }
-    if (const Remark* remark = std::get_if<Remark>(&item); remark != nullptr && remark->process == process) {
-      Remark copy = *remark;
+    if (const ProcessEnd* end = std::get_if<ProcessEnd>(&item); end != nullptr && end->process == process) {
+      ProcessEnd copy = *end;
       copy.process += "_twin";
       items.emplace_back(copy);
     }
@@ -102,15 +102,15 @@ bool second_commander(TraceSteps& trace, Random& random) {
 }
 
 bool spoil_remark(TraceSteps& trace, Random& random) {
-  std::vector<std::size_t> remarks;
+  std::vector<std::size_t> ends;
   for (std::size_t i = 0; i < trace.items.size(); ++i)
-    if (!trace.is_line(i)) remarks.push_back(i);
-  if (remarks.empty()) return false;
-  Remark& remark = std::get<Remark>(trace.items[remarks[pick(random, 0, remarks.size() - 1)]]);
+    if (!trace.is_line(i)) ends.push_back(i);
+  if (ends.empty()) return false;
+  ProcessEnd& end = std::get<ProcessEnd>(trace.items[ends[pick(random, 0, ends.size() - 1)]]);
   if (pick(random, 0, 1) == 0)
-    ++remark.lines;
+    ++end.lines;
   else
-    ++remark.dropped;
+    ++end.dropped;
   return true;
 }
 
@@ -137,7 +137,7 @@ std::vector<Mutation> mutations_of_lines() {
           {"swap two lines", swap},
           {"drop an instruction", drop_instruction},
           {"let a second process command the same robots", second_commander},
-          {"spoil a remark", spoil_remark},
+          {"spoil a end", spoil_remark},
           {"change the step", change_step},
           of_any_line("change process or instruction", move_elsewhere),
           of_any_line("change the line's tick", [](Line& line, Random& random) { line.tick += pick(random, 1, 30); }),

@@ -85,7 +85,7 @@ TEST(TraceReader, NamesAMessageThatIsNotOneOfAStep) {
 TEST(TraceReader, EmptyRecordingKeepsTheRules) {
   TraceSteps empty;
   empty.clock = "real";
-  empty.items.emplace_back(Remark{0, "arm", 0, 0, 0});
+  empty.items.emplace_back(ProcessEnd{0, "arm", 0, 0, 0});
   EXPECT_EQ(check(empty).text(), "");
   EXPECT_EQ(check(empty).verdict.lines, 0U);
 }
@@ -98,8 +98,7 @@ TEST(TraceReader, ReportsAndIgnoresACutStep) {
   line.sensors.clear();
   line.conditions.clear();
   for (Item& item : trace.items)
-    if (auto* remark = std::get_if<Remark>(&item); remark != nullptr && remark->process == line.process)
-      remark->cut = 1;
+    if (auto* end = std::get_if<ProcessEnd>(&item); end != nullptr && end->process == line.process) end->cut = 1;
   const Found found = check(trace);
   EXPECT_TRUE(found.rules.empty()) << found.text();
   EXPECT_NE(found.text().find("1 steps of process " + line.process + " were too long"), std::string::npos);

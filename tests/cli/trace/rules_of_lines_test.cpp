@@ -7,12 +7,12 @@ namespace {
 TEST_F(TraceRule, LineOrder) {
   const auto first = trace.items.begin() + static_cast<std::ptrdiff_t>(begin_of(trace, "mp", 1));
   std::rotate(trace.items.begin(), first, first + 1);
-  expect_only("line-order", "a step not before tick ");
+  expect_only("step-order", "a step not before tick ");
 }
 
 TEST_F(TraceRule, LineTick) {
   ++line("arm", 1, 1).tick;
-  expect_only("line-tick", "the newest in the step");
+  expect_only("step-tick", "the newest in the step");
 }
 
 TEST_F(TraceRule, TicksContinueFromOneInstructionToTheNext) {
@@ -34,13 +34,13 @@ TEST_F(TraceRule, OneOfTwoSimultaneousInstructionsMayHoldAnOlderReading) {
   other.made = line("arm", 8, 1).made;
   trace.items.insert(trace.items.begin() + static_cast<std::ptrdiff_t>(begin_of(trace, "arm", 8)) + 2, other);
   for (auto& item : trace.items)
-    if (auto* remark = std::get_if<Remark>(&item); remark != nullptr && remark->process == "arm") ++remark->lines;
+    if (auto* end = std::get_if<ProcessEnd>(&item); end != nullptr && end->process == "arm") ++end->lines;
   expect_none();
 }
 
 TEST_F(TraceRule, EveryLine) {
-  std::get<Remark>(trace.items.back()).lines += 2;
-  expect_only("every-line", "11, as many as it has passed on");
+  std::get<ProcessEnd>(trace.items.back()).lines += 2;
+  expect_only("every-step", "11, as many as it has passed on");
 }
 
 TEST_F(TraceRule, InstructionCount) {
@@ -90,23 +90,23 @@ TEST_F(TraceRule, NothingAfterEnd) {
 TEST_F(TraceRule, AllEnd) {
   const std::size_t last = trace.items.size() - 2;
   erase(last);
-  --std::get<Remark>(trace.items.back()).lines;
-  expect_only("all-end", "without end=");
+  --std::get<ProcessEnd>(trace.items.back()).lines;
+  expect_only("all-end", "without an end");
 }
 
-TEST_F(TraceRule, ProcessWithoutARemarkWasKilled) {
+TEST_F(TraceRule, ProcessWithoutAnEndWasKilled) {
   trace.items.pop_back();
   erase(trace.items.size() - 1);
   const Found found = check(trace);
   EXPECT_TRUE(found.violations.empty()) << found.text();
-  EXPECT_NE(found.text().find("note: the trace of process mp stops here: it was killed, in instruction 2"),
+  EXPECT_NE(found.text().find("note: the steps of process mp stop here: it was killed, in instruction 2"),
             std::string::npos)
       << found.text();
 }
 
-TEST_F(TraceRule, RemarkIsLast) {
+TEST_F(TraceRule, EndIsLast) {
   std::swap(trace.items[trace.items.size() - 2], trace.items.back());
-  expect("remark-is-last");
+  expect("end-is-last");
 }
 
 }  // namespace

@@ -194,14 +194,14 @@ TEST_F(TraceRule, OneCommander) {
   expect_only("one-commander", "robot arm is commanded by other too");
 }
 
-TEST_F(TraceRule, RemarkExplainsMissingStepsUnderTheRealClock) {
+TEST_F(TraceRule, EndExplainsMissingStepsUnderTheRealClock) {
   trace.clock = "real";
   erase(begin_of(trace, "arm", 3) + 2);
-  std::size_t remark = 0;
-  while (trace.is_line(remark)) ++remark;
-  --std::get<Remark>(trace.items[remark]).lines;
+  std::size_t end = 0;
+  while (trace.is_line(end)) ++end;
+  --std::get<ProcessEnd>(trace.items[end]).lines;
   expect("step-count");
-  ++std::get<Remark>(trace.items[remark]).dropped;
+  ++std::get<ProcessEnd>(trace.items[end]).dropped;
   const Found found = check(trace);
   EXPECT_TRUE(found.violations.empty()) << found.text();
   EXPECT_NE(found.text().find("has dropped 1 steps"), std::string::npos) << found.text();

@@ -31,13 +31,13 @@ void TraceSteps::write(const std::filesystem::path& file) const {
       writer.write_step(line->process, line->made, messages::to_cdr(to_message(*line, kPeriod)));
       continue;
     }
-    const Remark& remark = std::get<Remark>(item);
-    messages::mrroc_msgs::ProcessEnd end;
-    end.process = remark.process;
-    end.steps = remark.lines;
-    end.dropped = remark.dropped;
-    end.cut = remark.cut;
-    writer.write(recording::kEndTopic, newest, end);
+    const ProcessEnd& end = std::get<ProcessEnd>(item);
+    messages::mrroc_msgs::ProcessEnd message;
+    message.process = end.process;
+    message.steps = end.lines;
+    message.dropped = end.dropped;
+    message.cut = end.cut;
+    writer.write(recording::kEndTopic, newest, message);
   }
   EXPECT_EQ(writer.close(), 0);
   close(fd);
@@ -52,8 +52,8 @@ TraceSteps read_trace(const std::filesystem::path& file) {
     const auto item = reader.next();
     if (const Line* line = std::get_if<Line>(&item))
       trace.items.emplace_back(*line);
-    else if (const Remark* remark = std::get_if<Remark>(&item))
-      trace.items.emplace_back(*remark);
+    else if (const ProcessEnd* end = std::get_if<ProcessEnd>(&item))
+      trace.items.emplace_back(*end);
     else
       return trace;
   }
@@ -76,10 +76,10 @@ TraceSteps black_box_of(const TraceSteps& whole, const std::string& process, std
     if (number >= begin && number < end) box.items.push_back(whole.items[i]);
     ++number;
   }
-  Remark remark;
-  remark.process = process;
-  remark.lines = box.items.size();
-  box.items.emplace_back(remark);
+  ProcessEnd last;
+  last.process = process;
+  last.lines = box.items.size();
+  box.items.emplace_back(last);
   return box;
 }
 

@@ -9,7 +9,7 @@
 
 namespace mrroc::cli::trace {
 
-using Item = std::variant<Line, Remark>;
+using Item = std::variant<Line, ProcessEnd>;
 
 /// The steps of a recording in memory, to be changed and written.
 struct TraceSteps {

@@ -126,12 +126,12 @@ TEST_F(ClaimedFileTest, RecognisesNamesOfDescriptors) {
 }
 
 TEST_F(ClaimedFileTest, NewFilesTakeTheFirstFreeName) {
-  const fs::path taken = write("box.trace", "older");
+  const fs::path taken = write("box.mcap", "older");
   const auto name = [this](std::uint64_t number) {
-    return folder_ / (number == 1 ? "box.trace" : "box-" + std::to_string(number) + ".trace");
+    return folder_ / (number == 1 ? "box.mcap" : "box-" + std::to_string(number) + ".mcap");
   };
   const ClaimedFile second = ClaimedFile::create(name, "the box"), third = ClaimedFile::create(name, "the box");
-  EXPECT_EQ(second.path(), folder_ / "box-2.trace");
+  EXPECT_EQ(second.path(), folder_ / "box-2.mcap");
   EXPECT_EQ(third.number(), 3U);
   EXPECT_EQ(read(taken), "older");
 }
@@ -153,10 +153,10 @@ TEST_F(ClaimedFileTest, ReplacedFileIsNotInPlace) {
 TEST_F(ClaimedFileTest, FileThatCannotBeOpenedIsNamedWithTheReason) {
   for (const char* path : {"/no/such/folder/file", "/proc", "/proc/version/file"}) {
     try {
-      const ClaimedFile file(path, "the trace");
+      const ClaimedFile file(path, "the recording");
       ADD_FAILURE() << path;
     } catch (const std::runtime_error& error) {
-      EXPECT_EQ(std::string{error.what()}.find(std::string{"cannot write the trace "} + path + ": "), 0U)
+      EXPECT_EQ(std::string{error.what()}.find(std::string{"cannot write the recording "} + path + ": "), 0U)
           << error.what();
     }
   }

@@ -160,6 +160,17 @@ TEST_F(Reported, StepThatIsTooLongIsMarked) {
   EXPECT_FALSE(read.ends());
 }
 
+TEST_F(Reported, NamesOfAStepThatIsTooLongAreShortened) {
+  receive();
+  auto instruction = std::make_shared<InstructionRecord>(*record.instruction);
+  instruction->name = instruction->until.emplace(2 * EncodedStep::kCapacity, 'y');
+  record.instruction = instruction;
+  const Line read = line();
+  EXPECT_TRUE(read.cut);
+  EXPECT_EQ(read.name, std::string(1000, 'y'));
+  EXPECT_EQ(read.until, std::string(1000, 'y'));
+}
+
 TEST_F(Reported, ReportDoesNotAllocate) {
   receive();
   fill();

@@ -42,7 +42,7 @@ TEST_F(TwoHosts, StepsOfATaskOnTheOtherHostAreRecorded) {
   for (const cli::trace::Line& line : steps) EXPECT_NE(robot_in(line, "arm"), nullptr) << line.name << " " << line.step;
   int ends = 0;
   for (const cli::trace::Item& item : cli::trace::read_trace(recording).items)
-    if (const auto* const end = std::get_if<cli::trace::Remark>(&item); end != nullptr && end->process == "arm") {
+    if (const auto* const end = std::get_if<cli::trace::ProcessEnd>(&item); end != nullptr && end->process == "arm") {
       ++ends;
       EXPECT_EQ(end->lines, steps.size());
       EXPECT_EQ(end->dropped, 0U);
