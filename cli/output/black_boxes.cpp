@@ -1,5 +1,6 @@
 #include "cli/output/black_boxes.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <stdexcept>
 #include <system_error>
@@ -33,8 +34,9 @@ int BlackBoxes::fd_of(const std::string& process) const noexcept {
 }
 
 void BlackBoxes::take(const std::string& process, recording::RecordedStep step) {
-  for (Box& box : boxes_)
-    if (box.process == process) box.reported.push_back(std::move(step));
+  const auto is_it = [&process](const Box& box) { return box.process == process; };
+  const auto box = std::find_if(boxes_.begin(), boxes_.end(), is_it);
+  if (box != boxes_.end()) box->reported.push_back(std::move(step));
 }
 
 std::string BlackBoxes::reported() const {

@@ -157,8 +157,10 @@ class Ros2(unittest.TestCase):
             for each in message.transforms:
                 parent = parents.setdefault(each.child_frame_id, each.header.frame_id)
                 self.assertEqual(parent, each.header.frame_id, f"two parents of {each.child_frame_id}")
+        for arm in ("left", "right"):
+            self.assertEqual(parents[f"{arm}_wrist"], f"{arm}/{arm}_flange")
         for frame in parents:
-            self.assertTrue(frame.startswith(tuple(f"{robot}/" for robot in robots)), frame)
+            self.assertTrue(frame.startswith(tuple(f"{robot}/" for robot in robots)) or frame.endswith("_wrist"), frame)
             seen = []
             while frame != "world":
                 self.assertNotIn(frame, seen)

@@ -77,6 +77,16 @@ TEST(StepRing, LosesNothingWhenTheTaskWaits) {
   EXPECT_EQ(runner.dropped(), 0U);
 }
 
+TEST(StepRing, WithADamagedCounterIsEmpty) {
+  StepRing runner = StepRing::create();
+  StepRing task = StepRing::attach(runner.fd());
+  task.add(1, step_of(1), false);
+  for (const std::uint64_t added : {std::uint64_t{0}, StepRing::kSteps + std::uint64_t{1}, ~std::uint64_t{0}}) {
+    ASSERT_EQ(pwrite(runner.fd(), &added, sizeof(added), 0), static_cast<ssize_t>(sizeof(added)));
+    EXPECT_FALSE(runner.take()) << added;
+  }
+}
+
 TEST(StepRing, RefusesAnotherMemory) {
   const int fd = memfd_create("other", 0);
   ASSERT_EQ(ftruncate(fd, 100), 0);
