@@ -183,9 +183,15 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"command_fails", {"false"}, "", "host cell: no agent could be started: exit code 1", kSystem},
         Mistake{
             "another_version",
-            {"sh", "-c", "echo mrroc-agent 1 0.0.0"},
+            {"sh", "-c", "echo mrroc-agent 2 0.0.0"},
             "",
-            "host cell: another version of MRROC++ is installed there: 'mrroc-agent 1 0.0.0', expected 'mrroc-agent 1 ",
+            "host cell: another version of MRROC++ is installed there: 'mrroc-agent 2 0.0.0', expected 'mrroc-agent 2 ",
+            kUsage},
+        Mistake{
+            "another_protocol",
+            {"sh", "-c", "echo mrroc-agent 1 0.2.0"},
+            "",
+            "host cell: another version of MRROC++ is installed there: 'mrroc-agent 1 0.2.0', expected 'mrroc-agent 2 ",
             kUsage},
         Mistake{"no_mrroc",
                 {},
