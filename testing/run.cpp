@@ -37,6 +37,7 @@ std::string text_of(const std::filesystem::path& path) {
 
 pid_t start(const std::vector<std::string>& words, const std::filesystem::path& output, const std::string& mark) {
   std::vector<char*> argv;
+  argv.reserve(words.size() + 1);
   for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
   argv.push_back(nullptr);
   std::vector<char*> environment;
@@ -84,7 +85,7 @@ std::vector<std::string> find_processes(const std::string& mark) {
     if (text_of(entry.path() / "environ").find(mark) == std::string::npos || is_zombie(entry.path())) continue;
     std::string command = text_of(entry.path() / "cmdline");
     std::replace(command.begin(), command.end(), '\0', ' ');
-    found.push_back(name + " " + command);
+    found.push_back(command.insert(0, name + " "));
   }
   return found;
 }
