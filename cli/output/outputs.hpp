@@ -25,7 +25,7 @@ class Outputs {
   /// Removes the content of an earlier run: from now on the outputs belong to this run.
   void begin();
 
-  /// The open motion file, the open file of noted events; -1 when there is none.
+  /// The open motion file, the open file of noted events; -1 without one.
   int motion() const noexcept { return motion_ ? motion_->fd() : -1; }
   int notes() const noexcept { return notes_ ? notes_->fd() : -1; }
   /// The open file for the recording; null: none is written.

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "messages/mrroc_msgs/sensor_reading.hpp"
+#include "recording/recorded_time.hpp"
 
 namespace mrroc::process {
 
@@ -12,9 +12,7 @@ namespace {
 
 using messages::mrroc_msgs::SensorReading;
 
-constexpr double kNanoseconds = 1e9;              // of a second
-constexpr std::uint64_t kSecond = 1'000'000'000;  // ns
-constexpr std::size_t kShortened = 1000;          // characters of a name in a step that is too long
+constexpr std::size_t kShortened = 1000;  // characters of a name in a step that is too long
 
 void add_vector(EncodedStep& step, const JointVector& values) noexcept {
   step.count(static_cast<std::size_t>(values.size()));
@@ -133,12 +131,10 @@ void add_sensor(EncodedStep& step, const InstructionRecord::SensorEntry& sensor,
 void add_head(EncodedStep& step, const config::Deployment& deployment, std::string_view process,
               const StepRecord& record, std::size_t longest) noexcept {
   const InstructionRecord& instruction = *record.instruction;
-  const std::uint64_t time =
-      record.tick * static_cast<std::uint64_t>(std::llround(deployment.servo_period * kNanoseconds));
+  const auto stamp = recording::stamp_of(record.tick, recording::nanoseconds_of(deployment.servo_period));
   step.clear();
-  step << static_cast<std::int32_t>(time / kSecond) << static_cast<std::uint32_t>(time % kSecond)
-       << std::uint64_t{record.tick} << process << std::uint64_t{instruction.number} << instruction.is_move
-       << std::string_view{instruction.name}.substr(0, longest);
+  step << stamp.sec << stamp.nanosec << std::uint64_t{record.tick} << process << std::uint64_t{instruction.number}
+       << instruction.is_move << std::string_view{instruction.name}.substr(0, longest);
   step.count(instruction.until ? 1 : 0);
   if (instruction.until) step << std::string_view{*instruction.until}.substr(0, longest);
   step << std::uint64_t{record.step} << std::uint64_t{record.held} << record.obtained;
