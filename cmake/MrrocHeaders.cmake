@@ -32,6 +32,7 @@ set(MRROC_INCLUDED_HEADERS
   src/config/entries/errors_entry.hpp
   src/config/entries/program_behaviours.hpp
   src/config/key_values.hpp
+  src/core/lockfree/sequence_lock.hpp
   src/core/lockfree/shared_slot.hpp
   src/core/shared_memory.hpp
   src/core/shared_ring.hpp

@@ -6,6 +6,7 @@
 #include "links/telemetry/state_follower.hpp"
 #include "links/telemetry/telemetry_publisher.hpp"
 #include "mrroc/stopped.hpp"
+#include "process/picture_memory.hpp"
 #include "process/process.hpp"
 #include "process/standard_files.hpp"
 #include "vsp/make_source.hpp"
@@ -71,9 +72,11 @@ class Shell : private ReadingSink {
     const double period = process_.clock().period();
     sensor_->set_up(entry_, period);
     if (process_.arguments().world_fd >= 0) world_.emplace(world::MappedWorld::attach(process_.arguments().world_fd));
-    return make_source(*sensor_,
-                       {process_.deployment(), entry_, slot_, world_ ? &**world_ : nullptr, period, &process_.clock(),
-                        &process_.domain(), process_.faults().of(process_.name(), process_.clock())});
+    if (const int fd = process_.arguments().picture_fd; fd >= 0)
+      pictures_.emplace(process::PictureMemory::attach(fd, entry_.picture_width(), entry_.picture_height()));
+    return make_source(*sensor_, {process_.deployment(), entry_, slot_, world_ ? &**world_ : nullptr, period,
+                                  &process_.clock(), &process_.domain(), pictures_ ? &*pictures_ : nullptr,
+                                  process_.faults().of(process_.name(), process_.clock())});
   }
 
   /// Whether this sensor receives e_l.
@@ -104,6 +107,7 @@ class Shell : private ReadingSink {
   const config::SensorEntry& entry_;
   std::unique_ptr<VirtualSensor> sensor_;
   std::optional<world::MappedWorld> world_;
+  std::optional<process::PictureMemory> pictures_;
   std::unique_ptr<Source> source_;
   Sampler sampler_;
   links::SensorResponder responder_;

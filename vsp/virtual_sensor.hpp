@@ -18,6 +18,9 @@ class Clock;
 namespace mrroc::links {
 class Domain;
 }
+namespace mrroc::process {
+class PictureMemory;
+}
 
 namespace mrroc::vsp {
 
@@ -25,7 +28,7 @@ using config::Channel;
 
 /// The objects from which a source can be opened. `world`: the simulated hardware, null without a simulated world;
 /// `slot`: the sensor's index in the deployment. `servo_period` in s. `clock` and `domain`: for a source with its own
-/// link; null in tests without a process.
+/// link; null in tests without a process. `pictures`: where a camera of hardware shows its pictures; null: nowhere.
 struct SourceContext {
   const config::Deployment& deployment;
   const config::SensorEntry& entry;
@@ -34,6 +37,7 @@ struct SourceContext {
   double servo_period;
   clock::Clock* clock = nullptr;
   links::Domain* domain = nullptr;
+  process::PictureMemory* pictures = nullptr;
   std::vector<faults::FaultSwitch> faults = {};  ///< to be injected into the readings of its hardware
 };
 

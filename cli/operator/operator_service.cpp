@@ -169,6 +169,7 @@ VerbReply OperatorService::report() const {
                         .commander = holder_.name(),
                         .processes = statuses_,
                         .questions = questions_,
+                        .camera_files = camera_files_,
                         .yielded = trajectories_ == nullptr ? std::vector<std::string>{} : trajectories_->yielded()});
   return reply;
 }

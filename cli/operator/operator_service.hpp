@@ -41,6 +41,8 @@ class OperatorService {
   void publish_to(Publish publish) { publish_ = std::move(publish); }
   /// Receives every command that has taken effect, in order; it may throw, out of `poll`.
   void note_to(Note note) { note_ = std::move(note); }
+  /// The files with the pictures of hardware cameras, for `status`.
+  void show_cameras(std::map<std::string, std::string> files) { camera_files_ = std::move(files); }
   /// The effect of `stop` while the processes are being started.
   void end_with(std::function<void()> end) { end_ = std::move(end); }
 
@@ -123,6 +125,7 @@ class OperatorService {
   std::map<std::string, Ordered> ordered_;        // by robot: the order without an answer so far
   std::map<std::uint64_t, Followed> followed_;    // by number: trajectories that have not ended
   std::map<std::string, links::ProcessStatus> statuses_;
+  std::map<std::string, std::string> camera_files_;
   std::string published_question_;
 };
 

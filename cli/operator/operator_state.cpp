@@ -105,7 +105,8 @@ std::string to_json(const OperatorState& state) {
             {"commander", state.commander.empty() ? Json{} : Json(state.commander)},
             {"processes", Json::array()},
             {"questions", Json::array()},
-            {"yields", state.yielded}};
+            {"yields", state.yielded},
+            {"cameras", state.camera_files}};
   for (const auto& [name, status] : state.processes) json["processes"].push_back(json_of(status));
   if (state.questions != nullptr)
     for (const OpenQuestion& question : state.questions->open()) json["questions"].push_back(json_of(question));

@@ -21,6 +21,7 @@ struct OperatorState {
   std::string commander;                                         ///< empty: command is free
   const std::map<std::string, links::ProcessStatus>& processes;  ///< the last status of each
   const Questions* questions = nullptr;                          ///< null: the links are not open yet
+  const std::map<std::string, std::string>& camera_files;        ///< pictures of hardware cameras
   std::vector<std::string> yielded = {};                         ///< robots that follow trajectories
 };
 

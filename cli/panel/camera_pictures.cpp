@@ -1,6 +1,7 @@
 #include "cli/panel/camera_pictures.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "cli/pictures/picture_drawer.hpp"
@@ -13,18 +14,18 @@ std::shared_ptr<const CameraPicture> no_picture(std::string reason) {
   return std::make_shared<const CameraPicture>(CameraPicture{0, {}, std::move(reason)});
 }
 
-std::shared_ptr<const CameraPicture> encoded(const DrawnPicture& drawn) try {
-  if (!drawn.reason.empty()) return no_picture(drawn.reason);
-  return std::make_shared<const CameraPicture>(CameraPicture{drawn.tick, sim::encode_png(drawn.pixels), ""});
+std::shared_ptr<const CameraPicture> encoded(Tick tick, const sim::Picture& pixels) try {
+  return std::make_shared<const CameraPicture>(CameraPicture{tick, sim::encode_png(pixels), ""});
 } catch (const std::exception& error) {
   return no_picture(error.what());
 }
 
 }  // namespace
 
-CameraPictures::CameraPictures(const config::Deployment& deployment, std::chrono::seconds longest_wait)
-    : longest_wait_(longest_wait), views_(camera_views(deployment)) {
-  for (const auto& [name, view] : views_.views) pictures_[name];
+CameraPictures::CameraPictures(const config::Deployment& deployment, const std::map<std::string, std::string>& files,
+                               std::chrono::seconds longest_wait)
+    : longest_wait_(longest_wait), views_(camera_views(deployment, files)) {
+  for (const ShownCamera& camera : views_.cameras) pictures_[camera.name];
 }
 
 CameraPictures::~CameraPictures() {
@@ -48,6 +49,21 @@ std::shared_ptr<const CameraPicture> CameraPictures::picture(std::string_view na
   const auto camera = std::find_if(all.begin(), all.end(), [&](const auto& c) { return c.name == name; });
   if (camera == all.end()) return nullptr;
   if (!camera->reason.empty()) return no_picture(camera->reason);
+  const auto hardware = views_.hardware.find(name);
+  return hardware == views_.hardware.end() ? drawn_picture(name) : hardware_picture(name, hardware->second);
+}
+
+std::shared_ptr<const CameraPicture> CameraPictures::hardware_picture(std::string_view name, HardwareView& view) {
+  const std::lock_guard lock(mutex_);
+  auto& shown = pictures_.find(name)->second.picture;
+  if (shown != nullptr && !view.has_new()) return shown;
+  sim::Picture pixels;
+  const std::optional<Tick> tick = view.load(pixels);
+  if (!tick) return no_picture("the camera has made no reading yet");
+  return shown = encoded(*tick, pixels);
+}
+
+std::shared_ptr<const CameraPicture> CameraPictures::drawn_picture(std::string_view name) {
   std::unique_lock lock(mutex_);
   if (!arrived_.wait_for(lock, longest_wait_, [this] { return events_ > 0; }))
     return no_picture("the simulated world has sent no state yet");
@@ -76,7 +92,8 @@ void CameraPictures::draw_pictures() {
     const std::uint64_t number = events_;
     drawn.wanted = false;
     lock.unlock();
-    auto made = encoded(drawer.draw(views_.views.find(name)->second, event));
+    const DrawnPicture seen = drawer.draw(views_.views.find(name)->second, event);
+    auto made = seen.reason.empty() ? encoded(seen.tick, seen.pixels) : no_picture(seen.reason);
     lock.lock();
     drawn.picture = std::move(made);
     drawn.event = number;

@@ -26,15 +26,16 @@ struct CameraPicture {
   std::string reason;
 };
 
-/// Pictures of a deployment's simulated cameras for browsers, drawn in this process from the run's events "world"
-/// (PictureDrawer). The run does nothing for them. A picture is drawn when a browser asks for it, one after the other
-/// in a thread of low priority; all browsers receive the same one.
+/// Pictures of a deployment's cameras for browsers, when one asks; all browsers receive the same one. Those of
+/// simulated cameras are drawn in this process from the run's events "world" (PictureDrawer), one after the other in a
+/// thread of low priority: the run does nothing for them. Those of hardware are of its newest reading (HardwareView).
 class CameraPictures {
  public:
   static constexpr std::chrono::seconds kLongestWait{3};
 
   /// As `camera_views`. `longest_wait`: for the first state, and for a picture.
-  explicit CameraPictures(const config::Deployment& deployment, std::chrono::seconds longest_wait = kLongestWait);
+  explicit CameraPictures(const config::Deployment& deployment, const std::map<std::string, std::string>& files = {},
+                          std::chrono::seconds longest_wait = kLongestWait);
   ~CameraPictures();
   CameraPictures(const CameraPictures&) = delete;
   CameraPictures& operator=(const CameraPictures&) = delete;
@@ -55,6 +56,8 @@ class CameraPictures {
     std::shared_ptr<const CameraPicture> picture;
   };
 
+  std::shared_ptr<const CameraPicture> drawn_picture(std::string_view camera);
+  std::shared_ptr<const CameraPicture> hardware_picture(std::string_view camera, HardwareView& view);
   void draw_pictures();
 
   std::chrono::seconds longest_wait_;

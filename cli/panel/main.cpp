@@ -47,7 +47,7 @@ std::optional<WorldView> view_of(const config::Deployment& deployment) try {
 void serve(const PanelArguments& arguments, WatchedRun run, int stop) {
   const PanelAddress address = address_of(arguments);
   std::optional<WorldView> view = view_of(run.deployment);
-  CameraPictures pictures(run.deployment);
+  CameraPictures pictures(run.deployment, run.camera_files);
   auto files = load_page(config::type_file("panel", "page", "index.html").parent_path());
   const mjModel* const model = view ? &view->model() : nullptr;
   files["scene.json"] = {media_type("scene.json"), scene_json(model, run.deployment, pictures.cameras()), ""};

@@ -8,35 +8,36 @@ namespace mrroc::cli {
 
 namespace {
 
-/// Sensor types that view the simulated world have this key.
-bool is_camera(const config::SensorEntry& sensor) { return sensor.texts.contains("camera"); }
-
-/// Why the pictures of this camera are out of reach; empty: they are drawn.
-std::string obstacle_of(const config::Deployment& deployment, const config::SensorEntry& sensor) {
-  if (sensor.source == "simulated" && deployment.sim) return "";
-  return "source = '" + sensor.source + "': only simulated cameras have pictures here";
+void add_simulated(CameraViews& all, const config::Deployment& deployment, const config::SensorEntry& sensor) {
+  if (all.model == nullptr) all.model = sim::load_model(sim::compose(deployment));
+  all.views.emplace(sensor.name, vsp::view_of(*all.model, sensor));
 }
 
-int whole_or_zero(const config::SensorEntry& sensor, const char* key) {
-  const auto found = sensor.numbers.find(key);
-  return found == sensor.numbers.end() || found->second.empty() ? 0 : static_cast<int>(found->second.front());
+/// Returns why the camera has no pictures here; empty: it has.
+std::string add_camera(CameraViews& all, const config::Deployment& deployment, const config::SensorEntry& sensor,
+                       const std::map<std::string, std::string>& files) try {
+  const auto file = files.find(sensor.name);
+  if (sensor.source == "simulated" && deployment.sim) {
+    add_simulated(all, deployment, sensor);
+  } else if (file != files.end()) {
+    all.hardware.try_emplace(sensor.name, sensor, file->second);
+  } else {
+    return "source = '" + sensor.source + "': " +
+           (sensor.host.empty() ? "the run shows no pictures of it" : "its pictures stay on the host " + sensor.host);
+  }
+  return "";
+} catch (const std::exception& error) {
+  return error.what();
 }
 
 }  // namespace
 
-CameraViews camera_views(const config::Deployment& deployment) {
+CameraViews camera_views(const config::Deployment& deployment, const std::map<std::string, std::string>& files) {
   CameraViews all;
   for (const config::SensorEntry& sensor : deployment.sensors) {
-    if (!is_camera(sensor)) continue;
-    ShownCamera& camera = all.cameras.emplace_back(ShownCamera{
-        sensor.name, whole_or_zero(sensor, "width"), whole_or_zero(sensor, "height"), obstacle_of(deployment, sensor)});
-    if (!camera.reason.empty()) continue;
-    try {
-      if (all.model == nullptr) all.model = sim::load_model(sim::compose(deployment));
-      all.views.emplace(sensor.name, vsp::view_of(*all.model, sensor));
-    } catch (const std::exception& error) {
-      camera.reason = error.what();
-    }
+    if (!sensor.gives_pictures) continue;
+    const std::string reason = add_camera(all, deployment, sensor, files);
+    all.cameras.push_back({sensor.name, sensor.picture_width(), sensor.picture_height(), reason});
   }
   return all;
 }

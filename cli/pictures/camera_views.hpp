@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/pictures/hardware_view.hpp"
 #include "config/deployment.hpp"
 #include "sensors/camera/simulated_view.hpp"
 #include "sim/scene/model.hpp"
@@ -17,16 +18,17 @@ struct ShownCamera {
   std::string reason;         ///< why it has no picture; empty: it has one
 };
 
-/// The cameras of a deployment, and what is needed to draw the pictures of the simulated ones outside the run. Cameras
-/// of real hardware have none.
+/// The cameras of a deployment: what is needed to draw the pictures of the simulated ones outside the run, and where
+/// those of hardware are.
 struct CameraViews {
   std::vector<ShownCamera> cameras;                              ///< in the deployment's order
   sim::Model model;                                              ///< of the simulated world; null: there are no views
-  std::map<std::string, vsp::SimulatedView, std::less<>> views;  ///< by the names of the cameras that have pictures
+  std::map<std::string, vsp::SimulatedView, std::less<>> views;  ///< by the names of the simulated ones with pictures
+  std::map<std::string, HardwareView, std::less<>> hardware;     ///< by the names of those of hardware with pictures
 };
 
-/// Composes the world only if a camera is simulated. What prevents a camera's picture is its reason and is not thrown.
-/// Any thread.
-CameraViews camera_views(const config::Deployment& deployment);
+/// Composes the world only if a camera is simulated. `files`: memories of the pictures of hardware cameras, by their
+/// names, as the run's status has them. What prevents a camera's picture is its reason and is not thrown. Any thread.
+CameraViews camera_views(const config::Deployment& deployment, const std::map<std::string, std::string>& files);
 
 }  // namespace mrroc::cli

@@ -37,6 +37,7 @@ process::Arguments arguments_for(const PlannedProcess& process, const Surroundin
   if (surroundings.recorder != nullptr) arguments.record_fd = surroundings.recorder->fd_of(process.name);
   if (process.has_task) arguments.black_box = options.black_box;
   arguments.black_box_fd = surroundings.black_boxes.fd_of(process.name);
+  arguments.picture_fd = surroundings.cameras.fd_of(process.name);
   if (process.name == "mp") arguments.behaviours = options.behaviours;
   if (process.name == "sim") arguments.snapshots = options.snapshots;
   if (process.name == "sim") {

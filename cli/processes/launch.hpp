@@ -5,6 +5,7 @@
 
 #include "cli/output/black_boxes.hpp"
 #include "cli/output/outputs.hpp"
+#include "cli/processes/camera_memories.hpp"
 #include "cli/processes/process_plan.hpp"
 #include "cli/record/recorder.hpp"
 #include "cli/run/run_options.hpp"
@@ -20,6 +21,7 @@ struct Surroundings {
   const RunOptions& options;
   const Outputs& outputs;
   const BlackBoxes& black_boxes;
+  const CameraMemories& cameras;
   const record::Recorder* recorder = nullptr;  ///< null: the run is not recorded
   int domain = 0;
   std::string own_address;         ///< the interface, when the deployment names none but has several hosts

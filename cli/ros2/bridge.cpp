@@ -41,20 +41,23 @@ ros2::NodeOptions options_of(const config::Ros2Entry& entry, const std::string& 
 
 }  // namespace
 
-Bridge::Bridge(const config::Ros2Entry& entry, const config::Deployment& deployment, bool simulated, RunConnection& run)
-    : run_(run),
+Bridge::Bridge(const config::Ros2Entry& entry, WatchedRun& run)
+    : run_(run.connection),
       requests_([this](const std::string& line) { run_.send_line(line); }),
       name_space_(entry.name_space),
-      node_name_(ros2::in_namespace(name_space_, "mrroc_" + ros2::ros_name(deployment.name))),
-      node_(options_of(entry, deployment.name)),
-      stamps_(simulated, deployment.servo_period),
+      node_name_(ros2::in_namespace(name_space_, "mrroc_" + ros2::ros_name(run.deployment.name))),
+      node_(options_of(entry, run.deployment.name)),
+      stamps_(run.simulated, run.deployment.servo_period),
       tf_(node_, "/tf"),
       tf_static_(node_, "/tf_static", ros2::Durability::last),
       diagnostics_(node_, "/diagnostics"),
       rosout_(node_, "/rosout", ros2::Durability::log),
-      cameras_(node_, deployment, name_space_, kWorld),
-      states_(deployment.name) {
-  if (simulated) clock_.emplace(node_, "/clock");
+      views_(camera_views(run.deployment, run.camera_files)),
+      cameras_(node_, views_, name_space_, kWorld),
+      hardware_cameras_(node_, views_, name_space_),
+      states_(run.deployment.name) {
+  const config::Deployment& deployment = run.deployment;
+  if (run.simulated) clock_.emplace(node_, "/clock");
   add_robots(deployment);
   for (const config::SensorEntry& sensor : deployment.sensors)
     if (sensor.gives_wrench)
@@ -201,6 +204,7 @@ void Bridge::beat() {
     frames_.transforms.clear();
   }
   const std::int64_t now = system_ns();
+  hardware_cameras_.beat(now, [&](Tick tick) { return stamps_.of(tick, now); });
   if (clock_ && newest_ != published_) {
     messages::rosgraph_msgs::Clock message;
     message.clock = stamps_.at(now);

@@ -5,10 +5,11 @@
 #include <optional>
 #include <string>
 
-#include "cli/operator/socket/run_connection.hpp"
+#include "cli/operator/socket/side_program.hpp"
 #include "cli/ros2/camera_topics.hpp"
 #include "cli/ros2/diagnostics.hpp"
 #include "cli/ros2/follow_action.hpp"
+#include "cli/ros2/hardware_camera_topics.hpp"
 #include "cli/ros2/operator_requests.hpp"
 #include "cli/ros2/robot_topics.hpp"
 #include "cli/ros2/stamps.hpp"
@@ -25,9 +26,8 @@ namespace mrroc::cli {
 /// newest only. One thread.
 class Bridge {
  public:
-  /// `entry`: how; its domain is given. `simulated`: the clock of the run. Connects nothing yet; throws as ros2::Node,
-  /// RobotFrames. `deployment` and `run` outlive it.
-  Bridge(const config::Ros2Entry& entry, const config::Deployment& deployment, bool simulated, RunConnection& run);
+  /// `entry`: how; its domain is given. Connects nothing yet; throws as ros2::Node, RobotFrames. `run` outlives it.
+  Bridge(const config::Ros2Entry& entry, WatchedRun& run);
 
   /// The node's full name.
   const std::string& node() const noexcept { return node_name_; }
@@ -59,7 +59,9 @@ class Bridge {
   ros2::Publisher<messages::tf2_msgs::TFMessage> tf_, tf_static_;
   ros2::Publisher<messages::diagnostic_msgs::DiagnosticArray> diagnostics_;
   ros2::Publisher<messages::rcl_interfaces::Log> rosout_;
+  CameraViews views_;
   CameraTopics cameras_;
+  HardwareCameraTopics hardware_cameras_;
   std::optional<ros2::Publisher<messages::rosgraph_msgs::Clock>> clock_;  // of a simulated clock
   std::optional<TriggerServices> services_;
   std::map<std::string, FollowAction> actions_;  // by robot

@@ -5,45 +5,14 @@
 #include <utility>
 
 #include "cli/ros2/robot_frames.hpp"
-#include "links/ros2/ros_names.hpp"
 
 namespace mrroc::cli {
 
-namespace {
-
-constexpr std::chrono::milliseconds kLeastInterval{1000 / CameraTopics::kMostPerSecond};
-
-messages::std_msgs::Header header_of(const std::string& frame, const messages::builtin_interfaces::Time& stamp) {
-  messages::std_msgs::Header header;
-  header.stamp = stamp;
-  header.frame_id = frame;
-  return header;
-}
-
-}  // namespace
-
-messages::sensor_msgs::CameraInfo camera_info(const vsp::Intrinsics& camera) {
-  messages::sensor_msgs::CameraInfo info;
-  info.width = static_cast<std::uint32_t>(camera.width);
-  info.height = static_cast<std::uint32_t>(camera.height);
-  info.distortion_model = "plumb_bob";
-  info.d.assign(camera.distortion.begin(), camera.distortion.end());
-  info.k = {camera.fx, 0, camera.cx, 0, camera.fy, camera.cy, 0, 0, 1};
-  info.r = {1, 0, 0, 0, 1, 0, 0, 0, 1};
-  info.p = {camera.fx, 0, camera.cx, 0, 0, camera.fy, camera.cy, 0, 0, 0, 1, 0};
-  return info;
-}
-
-CameraTopics::CameraTopics(ros2::Node& node, const config::Deployment& deployment, const std::string& name_space,
-                           std::string world)
-    : world_(std::move(world)), views_(camera_views(deployment)) {
+CameraTopics::CameraTopics(ros2::Node& node, const CameraViews& views, const std::string& name_space, std::string world)
+    : world_(std::move(world)), views_(views) {
   for (const ShownCamera& camera : views_.cameras)
     if (!camera.reason.empty()) report(camera.name + ": " + camera.reason);
-  for (const auto& [name, view] : views_.views) {
-    const std::string space = ros2::in_namespace(name_space, name);
-    topics_.try_emplace(
-        name, Topics{{node, ros2::in_namespace(space, "image_raw")}, {node, ros2::in_namespace(space, "camera_info")}});
-  }
+  for (const auto& [name, view] : views_.views) topics_.try_emplace(name, node, name_space, name);
   if (topics_.empty()) return;
   tf_.emplace(node, "/tf");
   thread_ = std::thread([this] { draw_pictures(); });
@@ -78,8 +47,7 @@ void CameraTopics::report(const std::string& problem) {
 }
 
 bool CameraTopics::is_received() const {
-  return std::any_of(topics_.begin(), topics_.end(),
-                     [](const auto& entry) { return entry.second.image.is_received(); });
+  return std::any_of(topics_.begin(), topics_.end(), [](const auto& entry) { return entry.second.is_received(); });
 }
 
 void CameraTopics::draw_pictures() {
@@ -95,35 +63,24 @@ void CameraTopics::draw_pictures() {
     if (is_received()) {
       if (!drawer) drawer.emplace(views_);
       for (const auto& [name, topics] : topics_)
-        if (topics.image.is_received())
+        if (topics.is_received())
           publish(name, drawer->draw(views_.views.find(name)->second, world.event), world.stamp);
     }
     lock.lock();
-    changed_.wait_for(lock, kLeastInterval, [&] { return ended_; });
+    changed_.wait_for(lock, CameraPublisher::kLeastInterval, [&] { return ended_; });
   }
 }
 
 void CameraTopics::publish(const std::string& camera, const DrawnPicture& drawn,
                            const messages::builtin_interfaces::Time& stamp) {
   if (!drawn.reason.empty()) return report(camera + ": " + drawn.reason);
-  Topics& topics = topics_.at(camera);
   const vsp::SimulatedView& view = views_.views.find(camera)->second;
   messages::tf2_msgs::TFMessage frame;
   frame.transforms.push_back(transform_of(world_, camera, drawn.camera));
   frame.transforms.back().header.stamp = stamp;
   tf_->publish(frame);
-  messages::sensor_msgs::CameraInfo info =
-      camera_info(vsp::Intrinsics::pinhole(view.width, view.height, view.field_of_view));
-  info.header = header_of(camera, stamp);
-  topics.info.publish(info);
-  messages::sensor_msgs::Image image;
-  image.header = header_of(camera, stamp);
-  image.width = info.width;
-  image.height = info.height;
-  image.encoding = "rgb8";
-  image.step = 3 * image.width;
-  image.data = drawn.pixels.pixels;
-  topics.image.publish(image);
+  topics_.at(camera).publish(vsp::Intrinsics::pinhole(view.width, view.height, view.field_of_view), drawn.pixels,
+                             stamp);
 }
 
 }  // namespace mrroc::cli

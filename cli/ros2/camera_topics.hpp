@@ -10,27 +10,19 @@
 
 #include "cli/pictures/camera_views.hpp"
 #include "cli/pictures/picture_drawer.hpp"
+#include "cli/ros2/camera_publisher.hpp"
 #include "links/ros2/publisher.hpp"
-#include "messages/sensor_msgs/camera_info.hpp"
-#include "messages/sensor_msgs/image.hpp"
 #include "messages/tf2_msgs/tf_message.hpp"
-#include "sensors/camera/intrinsics.hpp"
 
 namespace mrroc::cli {
 
-/// K = (fx 0 cx; 0 fy cy; 0 0 1), P = (K 0), R = 1, and the distortion, which ROS 2 calls "plumb_bob". Without header.
-messages::sensor_msgs::CameraInfo camera_info(const vsp::Intrinsics& camera);
-
-/// The topics of a deployment's simulated cameras: `CAMERA/image_raw`, `CAMERA/camera_info`, and the frame CAMERA in
-/// the world. A picture is drawn from the run's newest event "world", at most kMostPerSecond times, in a thread of its
-/// own, and only while a node receives pictures of that camera.
+/// The topics of a deployment's simulated cameras, and their frames in the world. A picture is drawn from the run's
+/// newest event "world" in a thread of its own, and only while a node receives pictures of that camera.
 class CameraTopics {
  public:
-  static constexpr int kMostPerSecond = 10;
-
-  /// `name_space`: of the topics; `world`: name of the world's frame. The node outlives it, and is used by the thread.
-  CameraTopics(ros2::Node& node, const config::Deployment& deployment, const std::string& name_space,
-               std::string world);
+  /// `name_space`: of the topics; `world`: name of the world's frame. `views` and the node outlive it; the thread uses
+  /// them.
+  CameraTopics(ros2::Node& node, const CameraViews& views, const std::string& name_space, std::string world);
   ~CameraTopics();
   CameraTopics(const CameraTopics&) = delete;
   CameraTopics& operator=(const CameraTopics&) = delete;
@@ -43,10 +35,6 @@ class CameraTopics {
   std::optional<std::string> take_problem();
 
  private:
-  struct Topics {
-    ros2::Publisher<messages::sensor_msgs::Image> image;
-    ros2::Publisher<messages::sensor_msgs::CameraInfo> info;
-  };
   struct World {
     std::string event;
     messages::builtin_interfaces::Time stamp;
@@ -59,8 +47,8 @@ class CameraTopics {
   void report(const std::string& problem);
 
   const std::string world_;
-  CameraViews views_;
-  std::map<std::string, Topics> topics_;
+  const CameraViews& views_;
+  std::map<std::string, CameraPublisher> topics_;
   std::optional<ros2::Publisher<messages::tf2_msgs::TFMessage>> tf_;
   std::mutex mutex_;
   std::condition_variable changed_;

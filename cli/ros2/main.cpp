@@ -18,7 +18,7 @@ class BridgeProgram final : public SideProgram {
   void serve(WatchedRun run, int stop) override {
     config::Ros2Entry entry = run.deployment.ros2.value_or(config::Ros2Entry{});
     entry.domain = config::ros2_domain(entry);
-    Bridge bridge(entry, run.deployment, run.simulated, run.connection);
+    Bridge bridge(entry, run);
     command::print("ros2: node " + bridge.node() + " in domain " + std::to_string(*entry.domain) + "\n");
     bridge.serve(stop);
   }

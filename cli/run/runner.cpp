@@ -65,6 +65,7 @@ Runner::Runner(const config::Deployment& deployment, RunOptions options)
       plan_(plan_processes(deployment_)),
       text_(within_limits(plan_, options_)),
       black_boxes_(options_.black_box, deployment_, options_.text, plan_),
+      cameras_(deployment_, plan_),
       progress_(names_of(plan_), deployment_.servo_period, options_.quiet, descriptor_for_progress(options_.recording)),
       domain_lock_(deployment_.domain, domain_of_ros2(deployment_, options_)),
       clock_(clock_options(deployment_, names_of(processes_on("", plan_)))),
@@ -133,6 +134,7 @@ void Runner::open_operator(const Outputs& outputs) {
   service_.record_with([this](const std::string& file) {
     return recorder_ && recorder_->keeps_last() ? recorder_->save(file) : black_boxes_.record(file);
   });
+  service_.show_cameras(cameras_.files());
   service_.end_with([this] { supervisor_.fail(process::ExitCode::stopped, "ended by the operator"); });
   progress_.listen([this](const std::string& text) { service_.message(text); });
   try {
@@ -178,6 +180,7 @@ void Runner::start_processes(Outputs& outputs) {
                                   .options = options_,
                                   .outputs = outputs,
                                   .black_boxes = black_boxes_,
+                                  .cameras = cameras_,
                                   .recorder = recorder_ ? &*recorder_ : nullptr,
                                   .domain = domain_lock_.domain(),
                                   .own_address = hosts_->own_address(),

@@ -15,6 +15,7 @@
 #include "cli/operator/terminal/operator_console.hpp"
 #include "cli/output/black_boxes.hpp"
 #include "cli/output/outputs.hpp"
+#include "cli/processes/camera_memories.hpp"
 #include "cli/processes/process_group.hpp"
 #include "cli/processes/process_plan.hpp"
 #include "cli/record/recorder.hpp"
@@ -73,6 +74,7 @@ class Runner {
   std::vector<PlannedProcess> plan_;
   process::TextMemory text_;  // of the deployment
   BlackBoxes black_boxes_;
+  CameraMemories cameras_;
   Progress progress_;
   DomainLock domain_lock_;
   clock::ClockHost clock_;

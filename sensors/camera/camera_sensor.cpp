@@ -4,6 +4,7 @@
 #include <opencv2/core/utility.hpp>
 #include <string>
 
+#include "process/picture_memory.hpp"
 #include "sensors/camera/configuration.hpp"
 #include "sensors/camera/detection/make_detector.hpp"
 #include "sensors/camera/keys.hpp"
@@ -53,6 +54,7 @@ std::unique_ptr<Source> CameraSensor::open_source(const SourceContext& context) 
   std::unique_ptr<PictureSource> source;
   if (entry.source == "hardware") {
     source = open_device(context, picture_);
+    shown_ = context.pictures;
   } else {
     source = std::make_unique<SimulatedCamera>(context, picture_);
   }
@@ -104,7 +106,15 @@ void CameraSensor::effector_state(const RobotState& e) noexcept {
   if (e.synchronised) flange_ = e.pose * e.tool.inverse();
 }
 
-void CameraSensor::aggregate(const RawReading& /*r*/, SensorReading& v) noexcept {
+/// For the programs beside the run.
+void CameraSensor::show(Tick tick) noexcept {
+  if (shown_ == nullptr || !picture_.isContinuous()) return;
+  const std::size_t bytes = picture_.total() * picture_.elemSize();
+  if (bytes == shown_->bytes()) shown_->store(tick, {picture_.data, bytes});
+}
+
+void CameraSensor::aggregate(const RawReading& r, SensorReading& v) noexcept {
+  show(r.tick);
   if (frame_.moves() && !flange_) {
     return report(v, ErrorClass::non_fatal, ErrorCode::sensor_not_ready,
                   "the camera's pose needs the pose of a synchronised robot");

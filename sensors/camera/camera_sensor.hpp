@@ -30,7 +30,8 @@ namespace mrroc::vsp {
 /// Errors: the robot's pose is unknown, NonFatalError(sensor_not_ready); the camera has moved to where it cannot see
 /// the plane, NonFatalError(sensor_out_of_range). It has no zero to set.
 ///
-/// Unlike other sensors it allocates while it aggregates, as OpenCV does, and with `debug` writes files.
+/// The picture of a reading of hardware is in `SourceContext::pictures`. Unlike other sensors it allocates while it
+/// aggregates, as OpenCV does, and with `debug` writes files.
 class CameraSensor final : public VirtualSensor {
  public:
   void configure(const config::SensorEntry& entry, double servo_period) override;
@@ -41,6 +42,7 @@ class CameraSensor final : public VirtualSensor {
   void reconfigure(const Message& configuration) override;
 
  private:
+  void show(Tick tick) noexcept;
   void detect(SensorReading& v);
   void look_for(config::SensorEntry entry);
   void check_view(const Detector& detector, const config::SensorEntry& entry) const;
@@ -52,7 +54,8 @@ class CameraSensor final : public VirtualSensor {
   config::SensorEntry entry_;
   std::unique_ptr<Detector> detector_;
   PictureSource* source_ = nullptr;
-  cv::Rect part_;  ///< of the picture, that is searched
+  process::PictureMemory* shown_ = nullptr;  ///< of a camera of hardware
+  cv::Rect part_;                            ///< of the picture, that is searched
   cv::Mat picture_;
   Intrinsics intrinsics_;
   ReadingFrame frame_;

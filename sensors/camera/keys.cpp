@@ -1,5 +1,6 @@
 #include "sensors/camera/keys.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "geometry/rigid_motion.hpp"
@@ -47,6 +48,17 @@ std::optional<Pose> mount_pose(const config::SensorEntry& entry) { return mount_
 
 std::optional<Pose> calibrated_mount(const config::SensorEntry& entry) {
   return mount_of(entry, "mount_position", "mount_rotation");
+}
+
+std::optional<Intrinsics> given_intrinsics(const config::SensorEntry& entry) {
+  const auto given = optional_numbers(entry, "intrinsics", 4);
+  if (!given) return std::nullopt;
+  if (!((*given)[0] > 0) || !((*given)[1] > 0)) refuse(entry, "intrinsics", "no focal length", "fx and fy above 0");
+  Intrinsics camera{
+      whole(entry, "width"), whole(entry, "height"), (*given)[0], (*given)[1], (*given)[2], (*given)[3], {}};
+  if (const auto distortion = optional_numbers(entry, "distortion", 5))
+    std::copy(distortion->begin(), distortion->end(), camera.distortion.begin());
+  return camera;
 }
 
 std::string listed(const std::vector<std::string>& names) {

@@ -6,6 +6,7 @@
 
 #include "config/deployment.hpp"
 #include "mrroc/types.hpp"
+#include "sensors/camera/intrinsics.hpp"
 
 /// The meaning of a deployment's keys of a camera (camera.toml declares them). All functions throw
 /// SystemError(configuration) naming the key, the value and the expected value.
@@ -21,6 +22,8 @@ std::optional<std::vector<double>> optional_numbers(const config::SensorEntry& e
 std::optional<Pose> mount_pose(const config::SensorEntry& entry);
 /// `mount_position` and `mount_rotation`, the mount as calibrated; nothing when both are missing.
 std::optional<Pose> calibrated_mount(const config::SensorEntry& entry);
+/// `intrinsics`, `distortion`, `width`, `height` of a camera of hardware; nothing when the first is missing.
+std::optional<Intrinsics> given_intrinsics(const config::SensorEntry& entry);
 /// "a, b, c".
 std::string listed(const std::vector<std::string>& names);
 

@@ -106,10 +106,14 @@ struct SensorEntry : KeyValues {
   std::vector<std::string> sources{"simulated", "replay"};  ///< supported sources
   bool wants_effector_state = false;                        ///< e_l of `robot` is sent to its VSP at every tick
   bool gives_wrench = false;                                ///< an EDP may read it as its robot's force sensor
+  bool gives_pictures = false;                              ///< as cameras: its keys `width` and `height` are theirs
   /// For that: the library of its type, on the robot's own host, absolute; empty: no EDP reads it.
   std::filesystem::path wrench_library;
   std::string vsp_program;  ///< the type's `<type>_vsp`, absolute path
 
+  /// Of the pictures of a type that gives them, px.
+  int picture_width() const { return static_cast<int>(numbers.at("width").at(0)); }
+  int picture_height() const { return static_cast<int>(numbers.at("height").at(0)); }
   /// Whether its raw readings are measured in the simulated world.
   bool in_world() const { return source == "simulated" || (driver && driver->simulated); }
   /// Whether a process simulates its hardware, and the name of that process.

@@ -23,6 +23,7 @@ std::vector<std::string> to_command_line(const Arguments& arguments) {
   if (!arguments.behaviours.empty()) add("--behaviours-of-programs", arguments.behaviours);
   if (!arguments.black_box.empty()) add("--black-box", arguments.black_box.string());
   if (arguments.black_box_fd >= 0) add("--black-box-fd", std::to_string(arguments.black_box_fd));
+  if (arguments.picture_fd >= 0) add("--picture-fd", std::to_string(arguments.picture_fd));
   if (!arguments.snapshots.empty()) add("--snapshots", arguments.snapshots.string());
   if (!arguments.motion.empty()) add("--motion", arguments.motion.string());
   if (arguments.motion_fd >= 0) add("--motion-fd", std::to_string(arguments.motion_fd));
@@ -35,7 +36,7 @@ std::vector<std::string> to_command_line(const Arguments& arguments) {
 
 std::vector<int> Arguments::descriptors() const {
   std::vector<int> handed;
-  for (const int fd : {clock_fd, world_fd, black_box_fd, deployment_fd, motion_fd, record_fd})
+  for (const int fd : {clock_fd, world_fd, black_box_fd, deployment_fd, motion_fd, record_fd, picture_fd})
     if (fd >= 0) handed.push_back(fd);
   return handed;
 }
@@ -55,6 +56,7 @@ std::optional<Arguments> parse_arguments(int argc, char** argv) {
   app.add_option("--behaviours-of-programs", arguments.behaviours);
   app.add_option("--black-box", arguments.black_box);
   app.add_option("--black-box-fd", arguments.black_box_fd);
+  app.add_option("--picture-fd", arguments.picture_fd);
   app.add_option("--snapshots", arguments.snapshots);
   app.add_option("--motion", arguments.motion);
   app.add_option("--motion-fd", arguments.motion_fd);

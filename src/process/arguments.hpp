@@ -20,6 +20,7 @@ struct Arguments {
   std::string behaviours;  ///< of every ECP program, for the MP of a state machine (config::ProgramsByRobot)
   std::filesystem::path black_box;  ///< folder for the black box of a task that fails; empty: not written
   int black_box_fd = -1;            ///< memory of its last steps (SharedBlackBox, inherited); -1: not kept
+  int picture_fd = -1;              ///< memory of its pictures (PictureMemory, inherited; VSPs only); -1: not shown
   std::filesystem::path snapshots;  ///< folder for world snapshots (sim only); may be empty
   std::filesystem::path motion;     ///< file for the motion of the world's robots (sim only); may be empty
   int motion_fd = -1;               ///< the same, open (inherited)

@@ -24,6 +24,7 @@ TEST(Arguments, CommandLineReadsBack) {
                             "left on Go x:number:8\nleft tells Here\n",
                             "boxes",
                             5,
+                            12,
                             "shots",
                             "motion",
                             8,
@@ -36,6 +37,7 @@ TEST(Arguments, CommandLineReadsBack) {
   EXPECT_EQ(read.name, arguments.name);
   EXPECT_EQ(read.clock_fd, 3);
   EXPECT_EQ(read.world_fd, 4);
+  EXPECT_EQ(read.picture_fd, 12);
   EXPECT_EQ(read.domain, 17);
   EXPECT_EQ(read.deployment_fd, 6);
   EXPECT_EQ(read.record_fd, 9);
@@ -49,7 +51,7 @@ TEST(Arguments, CommandLineReadsBack) {
   EXPECT_EQ(read.interface, "eth1");
   EXPECT_EQ(read.peers, arguments.peers);
   EXPECT_EQ(read.keys, arguments.keys);
-  EXPECT_EQ(read.descriptors(), (std::vector<int>{3, 4, 5, 6, 8, 9}));
+  EXPECT_EQ(read.descriptors(), (std::vector<int>{3, 4, 5, 6, 8, 9, 12}));
 }
 
 TEST(Arguments, ProgramExplainsItsUsageWithoutTheRunner) {

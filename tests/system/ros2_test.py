@@ -37,7 +37,8 @@ CAMERA_TOPICS = {  # of inspect
     "/eye/image_raw": ("sensor_msgs/msg/Image", False),
     "/eye/camera_info": ("sensor_msgs/msg/CameraInfo", False),
 }
-KINDS = TOPICS | CAMERA_TOPICS
+BENCH_TOPICS = {"/lab/bench/" + name.split("/")[-1]: kind for name, kind in CAMERA_TOPICS.items()}
+KINDS = TOPICS | CAMERA_TOPICS | BENCH_TOPICS
 PUBLISHED_HASHES = {
     "std_msgs::msg::dds_::String_": "RIHS01_df668c740482bbd48fb39d76a70dfd4bd59db1288021743503259e948f6b1a18",
     "sensor_msgs::msg::dds_::JointState_": "RIHS01_a13ee3a330e346c9d87b5aa18d24e11690752bd33a0350f11c5882bc9179260e",
@@ -191,6 +192,46 @@ class Ros2(unittest.TestCase):
         frames = [each for message in pictures for each in message.transforms if each.child_frame_id == "eye"]
         self.assertTrue(frames, "no frame of the camera")
         self.assertEqual({each.header.frame_id for each in frames}, {"world"})
+
+    def test_a_camera_of_hardware_is_the_pictures_of_its_readings(self):
+        file = self.deployment("namespace = \"/lab\"")
+        with open(file.parent / "bench.y4m", "wb") as video:  # picture k has the brightness 40 + 10 (k mod 15)
+            video.write(b"YUV4MPEG2 W64 H48 F25:1 Ip A1:1 C444\n")
+            for number in range(3000):
+                video.write(b"FRAME\n" + bytes([40 + 10 * (number % 15)]) * (64 * 48) + bytes([128]) * (2 * 64 * 48))
+        with open(file, "a", encoding="utf-8") as text:
+            text.write("""
+[sensors.bench]
+type = "camera"
+source = "hardware"
+device = "bench.y4m"
+width = 64
+height = 48
+intrinsics = [80.0, 81.0, 31.0, 23.0]
+distortion = [0.1, -0.2, 0.001, 0.002, 0.05]
+focal_scale = 1.01
+position = [1.3, 0.0, 1.3]
+rotation = [2.4434609527920612, 0.0, -1.5707963267948966]
+plane = [1.3, 1.0, 0.0]
+mode = "non-interactive"
+rate = 25
+""")
+        run = self.run_press("--clock", "paced", "--hold", deployment=file)
+        run.wait_for("ros2: node /lab/mrroc_press")
+        found = self.receive(["/lab/bench/image_raw", "/lab/bench/camera_info", "/tf_static"], 12)
+        stamps = [seconds(each.header.stamp) for each in found["/lab/bench/image_raw"]]
+        self.assertEqual(stamps, sorted(set(stamps)))
+        for image, stamp in zip(found["/lab/bench/image_raw"], stamps):
+            self.assertEqual((image.width, image.height, image.step, image.encoding), (64, 48, 192, "rgb8"))
+            number = int(stamp * 25 + 1e-6)
+            self.assertAlmostEqual(stamp, number / 25, places=6, msg="the picture's own tick")
+            shown = numpy.frombuffer(bytes(image.data), numpy.uint8).astype(float)
+            numpy.testing.assert_allclose(shown, (24 + 10 * (number % 15)) * 255 / 219, atol=4)
+        info = found["/lab/bench/camera_info"][0]
+        numpy.testing.assert_allclose(info.k, [80.8, 0, 31, 0, 81.81, 23, 0, 0, 1])
+        numpy.testing.assert_allclose(info.d, [0.1, -0.2, 0.001, 0.002, 0.05])
+        frame, = (each for each in found["/tf_static"][0].transforms if each.child_frame_id == "bench")
+        self.assertEqual((frame.header.frame_id, frame.transform.translation.x), ("world", 1.3))
 
     def test_who_receives_pictures_changes_nothing(self):
         recording = self.folder / "quiet.mcap"

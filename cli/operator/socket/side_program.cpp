@@ -21,7 +21,8 @@ namespace {
 WatchedRun watch(RunConnection connection) {
   const auto status = nlohmann::json::parse(connection.request("status").data);
   return {std::move(connection), config::load_deployment(status.at("file").get<std::string>()),
-          status.at("clock").get<std::string>() != "real"};
+          status.at("clock").get<std::string>() != "real",
+          status.value("cameras", std::map<std::string, std::string>{})};
 }
 
 }  // namespace

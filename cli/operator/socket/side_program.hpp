@@ -1,7 +1,9 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <map>
 #include <memory>
+#include <string>
 
 #include "cli/operator/socket/run_connection.hpp"
 #include "config/deployment.hpp"
@@ -12,7 +14,8 @@ namespace mrroc::cli {
 struct WatchedRun {
   RunConnection connection;
   config::Deployment deployment;
-  bool simulated;  ///< whether its clock is
+  bool simulated;                                   ///< whether its clock is
+  std::map<std::string, std::string> camera_files;  ///< pictures of hardware cameras (process::PictureMemory)
 };
 
 /// A program beside a run, such as the panel's server.

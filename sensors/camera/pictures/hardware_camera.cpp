@@ -36,19 +36,14 @@ bool expose(cv::VideoCapture& capture, double seconds) {
 }  // namespace
 
 HardwareCamera hardware_camera(const config::SensorEntry& entry) {
-  const auto given = optional_numbers(entry, "intrinsics", 4);
+  const std::optional<Intrinsics> given = given_intrinsics(entry);
   if (!given) refuse(entry, "intrinsics", "missing", "fx, fy, cx, cy of this camera, px");
-  if (!((*given)[0] > 0) || !((*given)[1] > 0)) refuse(entry, "intrinsics", "no focal length", "fx and fy above 0");
   if (number(entry, "field_of_view") > 0) refuse(entry, "field_of_view", "of a camera of hardware", "intrinsics alone");
   if (number(entry, "noise") > 0) refuse(entry, "noise", "added to a camera of hardware", "0");
   if (!text(entry, "camera").empty())
     refuse(entry, "camera", "of a camera of hardware", "source = 'simulated' beside it");
   HardwareCamera camera;
-  camera.intrinsics = {
-      whole(entry, "width"), whole(entry, "height"), (*given)[0], (*given)[1], (*given)[2], (*given)[3], {}};
-  if (const auto distortion = optional_numbers(entry, "distortion", 5)) {
-    std::copy(distortion->begin(), distortion->end(), camera.intrinsics.distortion.begin());
-  }
+  camera.intrinsics = *given;
   const auto pose = mount_pose(entry);
   if (!pose && text(entry, "frame") != "camera") {
     refuse(entry, "position", "missing", "the camera's pose ('position', 'rotation'), or frame = 'camera'");

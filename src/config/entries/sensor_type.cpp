@@ -50,6 +50,15 @@ void read_effector_state(const Table& type, SensorEntry& sensor) {
   sensor.wants_effector_state = sensor.wants_effector_state || number->second[0] != 0;
 }
 
+/// After the type's own keys.
+void read_pictures(const Table& type, SensorEntry& sensor) {
+  sensor.gives_pictures = type.boolean_or("pictures", false);
+  if (!sensor.gives_pictures) return;
+  for (const char* key : {"width", "height"})
+    if (const auto size = sensor.numbers.find(key); size == sensor.numbers.end() || size->second.size() != 1)
+      type.fail("pictures", "true without the parameter " + in_quotes(key) + " of kind number", "it, in px");
+}
+
 }  // namespace
 
 void read_sensor_type(const Table& table, SensorEntry& sensor) {
@@ -60,6 +69,7 @@ void read_sensor_type(const Table& table, SensorEntry& sensor) {
   read_declared_keys(type, table, kCommonKeys, sensor);
   read_effector_state(type, sensor);
   sensor.gives_wrench = type.boolean_or("wrench", false);
+  read_pictures(type, sensor);
 }
 
 }  // namespace mrroc::config

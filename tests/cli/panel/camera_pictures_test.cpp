@@ -54,7 +54,7 @@ struct Seen {
 
 TEST(CameraPicturesTest, PicturesAreThoseOfTheCamerasOwnProcess) {
   Seen seen;
-  CameraPictures pictures(seen.deployment, kWait);
+  CameraPictures pictures(seen.deployment, {}, kWait);
   ASSERT_EQ(pictures.cameras().size(), 2U);
   for (Tick tick = 1; tick <= 3; ++tick) {
     pictures.take(seen.event_of(tick));
@@ -97,8 +97,31 @@ TEST(CameraPicturesTest, CamerasWithoutPicturesHaveAReason) {
   EXPECT_EQ(scene.at("cameras").at(1).at("width"), 320);
 }
 
+TEST(CameraPicturesTest, PicturesOfHardwareAreThoseOfItsNewestReading) {
+  config::Deployment deployment = two_cameras();
+  deployment.sensors[1].source = "hardware";
+  ASSERT_EQ(deployment.sensors[1].name, "lookout");
+  process::PictureMemory memory = process::PictureMemory::create(320, 400);
+  const std::string file = "/proc/self/fd/" + std::to_string(memory.fd());
+  CameraPictures pictures(deployment, {{"lookout", file}});
+  EXPECT_EQ(pictures.cameras()[1].reason, "");
+  EXPECT_EQ(pictures.picture("lookout")->reason, "the camera has made no reading yet");
+  for (Tick tick = 5; tick < 8; ++tick) {
+    const std::vector<std::uint8_t> pixels(memory.bytes(), static_cast<std::uint8_t>(30 * tick));
+    memory.store(tick, pixels);
+    const auto picture = pictures.picture("lookout");
+    EXPECT_EQ(picture->tick, tick);
+    EXPECT_EQ(pictures.picture("lookout"), picture) << "all browsers receive the same one";
+    const cv::Mat shown = pixels_of(*picture);
+    ASSERT_EQ(shown.size(), cv::Size(320, 400));
+    EXPECT_TRUE(std::equal(pixels.begin(), pixels.end(), shown.data));
+  }
+  CameraPictures narrow(deployment, {{"lookout", "/dev/null"}});
+  EXPECT_NE(narrow.cameras()[1].reason.find("is not such a memory"), std::string::npos) << narrow.cameras()[1].reason;
+}
+
 TEST(CameraPicturesTest, StatesOfAnotherWorldAreNotDrawn) {
-  CameraPictures pictures(two_cameras(), kWait);
+  CameraPictures pictures(two_cameras(), {}, kWait);
   for (const char* event : {"", "{", "[]", R"({"event":"world"})", R"({"event":"world","tick":1,"positions":"all"})",
                             R"({"event":"world","tick":1,"positions":[1],"mocap_positions":[],"mocap_quaternions":[]})",
                             R"({"event":"world","positions":[],"mocap_positions":[1],"mocap_quaternions":[]})"}) {

@@ -116,6 +116,23 @@ TEST_F(SensorTypeTest, TypeDeclaresWhenItNeedsTheStateOfItsRobot) {
             "this file");
 }
 
+TEST_F(SensorTypeTest, PicturesHaveASize) {
+  const auto key = [](const std::string& name, const std::string& kind, const std::string& value) {
+    return "[parameters." + name + "]\nkind = '" + kind + "'\ndefault = " + value + "\n";
+  };
+  const std::string width = key("width", "number", "640");
+  EXPECT_FALSE(read(width).gives_pictures);
+  const SensorEntry camera = read("pictures = true\n" + width + key("height", "number", "480"), "height = 360");
+  EXPECT_TRUE(camera.gives_pictures);
+  EXPECT_EQ(camera.picture_width(), 640);
+  EXPECT_EQ(camera.picture_height(), 360);
+  for (const std::string& other : {std::string{}, key("height", "text", "'480'"),
+                                   key("height", "numbers", "[4.0, 8.0]"), key("heigth", "number", "480")})
+    EXPECT_EQ(message("pictures = true\n" + width + other),
+              "sensors/sonar/sonar.toml:1: pictures: true without the parameter 'height' of kind number, expected it, "
+              "in px");
+}
+
 TEST_F(SensorTypeTest, ChannelsAreDeclared) {
   const std::string two = "[[channels]]\nname = 'x'\nunit = 'm'\n[[channels]]\nname = 'y'\nunit = 'm'\n";
   const SensorEntry sensor = read(two + "[[raw_channels]]\nname = 'echo'\nunit = 's'\n");
