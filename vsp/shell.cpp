@@ -74,9 +74,10 @@ class Shell : private ReadingSink {
     if (process_.arguments().world_fd >= 0) world_.emplace(world::MappedWorld::attach(process_.arguments().world_fd));
     if (const int fd = process_.arguments().picture_fd; fd >= 0)
       pictures_.emplace(process::PictureMemory::attach(fd, entry_.picture_width(), entry_.picture_height()));
-    return make_source(*sensor_, {process_.deployment(), entry_, slot_, world_ ? &**world_ : nullptr, period,
-                                  &process_.clock(), &process_.domain(), pictures_ ? &*pictures_ : nullptr,
-                                  process_.faults().of(process_.name(), process_.clock())});
+    return make_source(*sensor_,
+                       {process_.deployment(), entry_, slot_, world_ ? &**world_ : nullptr, period, &process_.clock(),
+                        &process_.domain(), process_.faults().of(process_.name(), process_.clock()),
+                        pictures_ ? &*pictures_ : nullptr});
   }
 
   /// Whether this sensor receives e_l.

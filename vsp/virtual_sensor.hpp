@@ -37,8 +37,8 @@ struct SourceContext {
   double servo_period;
   clock::Clock* clock = nullptr;
   links::Domain* domain = nullptr;
-  process::PictureMemory* pictures = nullptr;
   std::vector<faults::FaultSwitch> faults = {};  ///< to be injected into the readings of its hardware
+  process::PictureMemory* pictures = nullptr;
 };
 
 /// The aggregating function of one sensor type, the paper's equation (14): v = f_v(c_0, c_l, e_l, r).

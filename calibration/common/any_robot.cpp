@@ -15,6 +15,13 @@ RobotModels models_of(const ecp::Task& task) {
 
 AnyRobot::AnyRobot(ecp::Task& task) : Robot(task, "", models_of(task)) {}
 
+void require_fixed_base(ecp::Task& task, const Robot& robot) {
+  const std::string& carrier = task.process().deployment().robot(robot.name()).mount;
+  if (!carrier.empty())
+    throw NonFatalError(ErrorCode::invalid_argument,
+                        "robot '" + robot.name() + "' is carried by '" + carrier + "': its base moves");
+}
+
 std::vector<const config::SensorEntry*> sensors_on(const config::Deployment& deployment, const std::string& robot,
                                                    const std::string& type) {
   std::vector<const config::SensorEntry*> found;

@@ -14,6 +14,9 @@ class AnyRobot : public Robot {
   explicit AnyRobot(ecp::Task& task);
 };
 
+/// Throws NonFatalError when another robot carries this one: its base moves. Task's thread.
+void require_fixed_base(ecp::Task& task, const Robot& robot);
+
 /// The sensors of type `type` on the robot of an ECP, in file order; those of no robot with `robot` empty.
 std::vector<const config::SensorEntry*> sensors_on(const config::Deployment& deployment, const std::string& robot,
                                                    const std::string& type);

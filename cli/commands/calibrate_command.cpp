@@ -83,9 +83,10 @@ void add_kind(CLI::App& calibrate_verb, const CalibrationKind& kind, int& exit_c
   command->add_option("DEPLOYMENT", arguments->file, "Deployment file (TOML)")->required();
   command->add_option("--into", arguments->order.into, "The calibration file that is written when it is accepted")
       ->required();
-  command->add_option("--robot", arguments->order.robot, "Robot; left out: the only one with such a sensor");
+  command->add_option("--robot", arguments->order.robot, "Robot that moves; left out: the only one in question");
   command->add_option("--sensor", arguments->order.sensor,
-                      "Its sensor of type " + kind.sensor_type + "; left out: the only one");
+                      std::string{kind.on_robot ? "Its sensor" : "Sensor that does not move,"} + " of type " +
+                          kind.sensor_type + "; left out: the only one");
   command->add_option("--clock", arguments->clock, "Clock instead of the deployment's")
       ->check(CLI::IsMember(config::clock_names()));
   CLI::Option* const errors =

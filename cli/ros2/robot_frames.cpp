@@ -85,7 +85,7 @@ RobotFrames::RobotFrames(const config::RobotEntry& robot, std::string prefix, co
     for (const Joint& joint : urdf_->joints())
       if (joint.type == edp::Urdf::Type::fixed) add(joint, joint.origin, fixed_);
   }
-  fixed_.push_back(transform_of(world, prefix_ + root, robot.base * root_in_base));
+  fixed_.push_back(transform_of(world, prefix_ + root, robot.known_base() * root_in_base));
 }
 
 std::string RobotFrames::tool() const { return prefix_ + record::tool_frame(name_); }

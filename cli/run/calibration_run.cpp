@@ -36,19 +36,19 @@ std::string chosen(const std::filesystem::path& file, const std::string& option,
   return given.empty() ? names.front() : given;
 }
 
-std::vector<std::string> suitable_sensors(const config::Deployment& deployment, const std::string& type,
+std::vector<std::string> suitable_sensors(const config::Deployment& deployment, const CalibrationKind& kind,
                                           const std::string& robot) {
   std::vector<std::string> names;
   for (const config::SensorEntry& sensor : deployment.sensors)
-    if (sensor.type == type && sensor.robot == robot) names.push_back(sensor.name);
+    if (sensor.type == kind.sensor_type && sensor.robot == (kind.on_robot ? robot : "")) names.push_back(sensor.name);
   return names;
 }
 
-/// Robots with a sensor of the type.
-std::vector<std::string> suitable_robots(const config::Deployment& deployment, const std::string& type) {
+/// Robots that can calibrate such a sensor.
+std::vector<std::string> suitable_robots(const config::Deployment& deployment, const CalibrationKind& kind) {
   std::vector<std::string> names;
   for (const config::RobotEntry& robot : deployment.robots)
-    if (!suitable_sensors(deployment, type, robot.name).empty()) names.push_back(robot.name);
+    if (!suitable_sensors(deployment, kind, robot.name).empty()) names.push_back(robot.name);
   return names;
 }
 
@@ -66,6 +66,29 @@ std::filesystem::path checked_target(const config::Deployment& deployment, const
   return target;
 }
 
+/// Of the kinds that look at a marker from many sides.
+std::vector<CalibrationSetting> view_settings() {
+  return {{"marker", true, -1, -1, 100000, "Number of the marker in the camera's dictionary; -1: as deployed"},
+          {"marker_size", false, 0.05, 0.001, 10, "m: side of its black square, beside --marker"},
+          {"views", true, 20, 6, 200, "Postures from which the camera looks at it"},
+          {"reach", false, 0.12, 0.02, 1, "rad or m by which the last three joints move for the first estimate"},
+          {"speed", false, 0.5, 0.01, 1, "Of the robot between them, as a part of its greatest"},
+          {"joint_deviation", false, 0.0003, 1e-6, 0.1, "rad or m: expected error of each joint's zero"},
+          {"arm_deviation", false, 0.0001, 1e-6, 0.1, "m: expected error of the flange from posture to posture"},
+          {"residual_bound", false, 0.002, 1e-5, 0.1, "rad: largest residual of a view that is accepted"}};
+}
+
+std::vector<CalibrationSetting> with_marker_pose(std::vector<CalibrationSetting> settings) {
+  for (const char* name : {"x", "y", "z"})
+    settings.push_back({name, false, 0, -1000, 1000, "m: of the marker's middle in the world"});
+  for (const char* name : {"roll", "pitch", "yaw"})
+    settings.push_back({name, false, 0, -2 * M_PI, 2 * M_PI,
+                        "rad: of its axes, about the fixed axes x, y, z; its z points out of it, its y up"});
+  return settings;
+}
+
+std::map<std::string, std::string> sees_markers() { return {{"frame", "camera"}, {"detect", "marker"}}; }
+
 }  // namespace
 
 std::vector<CalibrationKind> calibration_kinds() {
@@ -79,28 +102,25 @@ std::vector<CalibrationKind> calibration_kinds() {
             {"speed", false, 0.5, 0.01, 1, "Of the robot between them, as a part of its greatest"},
             {"force_bound", false, 0.5, 0.001, 1000, "N: largest residual of an orientation that is accepted"},
             {"torque_bound", false, 0.05, 0.0001, 1000, "N m: largest residual that is accepted"}}},
-          {"hand-eye",
-           "CalibrateHandEye",
-           "camera",
+          {"hand-eye", "CalibrateHandEye", "camera",
            "Pose of a camera on the flange, and its focal length, from views of a marker that does not move",
-           {{"frame", "camera"}, {"detect", "marker"}},
-           {{"marker", true, -1, -1, 100000, "Number of the marker in the camera's dictionary; -1: as deployed"},
-            {"marker_size", false, 0.05, 0.001, 10, "m: side of its black square, beside --marker"},
-            {"views", true, 20, 6, 200, "Postures from which the camera looks at it"},
-            {"reach", false, 0.12, 0.02, 1, "rad or m by which the last three joints move for the first estimate"},
-            {"speed", false, 0.5, 0.01, 1, "Of the robot between them, as a part of its greatest"},
-            {"joint_deviation", false, 0.0003, 1e-6, 0.1, "rad or m: expected error of each joint's zero"},
-            {"arm_deviation", false, 0.0001, 1e-6, 0.1, "m: expected error of the flange from posture to posture"},
-            {"residual_bound", false, 0.002, 1e-5, 0.1, "rad: largest residual of a view that is accepted"}}}};
+           sees_markers(), view_settings()},
+          {"base", "CalibrateBase", "camera",
+           "Pose of a robot's base in the world, from views of a marker whose place there is known", sees_markers(),
+           with_marker_pose(view_settings())},
+          {"camera", "CalibrateCamera", "camera",
+           "Pose of a camera that does not move, and its focal length, from views of a marker that a robot carries",
+           sees_markers(), view_settings(), false}};
 }
 
 CalibrationRun::CalibrationRun(CalibrationKind kind, const config::Deployment& deployment, CalibrationOrder order)
     : kind_(std::move(kind)), order_(std::move(order)) {
-  order_.robot = chosen(deployment.file, "--robot", order_.robot, suitable_robots(deployment, kind_.sensor_type),
-                        "robot with a sensor of type " + config::in_quotes(kind_.sensor_type));
+  const std::string sensor = "sensor of type " + config::in_quotes(kind_.sensor_type);
+  order_.robot = chosen(deployment.file, "--robot", order_.robot, suitable_robots(deployment, kind_),
+                        kind_.on_robot ? "robot with a " + sensor : "robot beside a " + sensor + " that does not move");
   order_.sensor =
-      chosen(deployment.file, "--sensor", order_.sensor, suitable_sensors(deployment, kind_.sensor_type, order_.robot),
-             "sensor of type " + config::in_quotes(kind_.sensor_type) + " on robot " + config::in_quotes(order_.robot));
+      chosen(deployment.file, "--sensor", order_.sensor, suitable_sensors(deployment, kind_, order_.robot),
+             sensor + (kind_.on_robot ? " on robot " + config::in_quotes(order_.robot) : " that does not move"));
   order_.into = checked_target(deployment, order_.into);
   std::string pattern = std::filesystem::temp_directory_path() / "mrroc_calibrate_XXXXXX";
   if (::mkdtemp(pattern.data()) == nullptr)

@@ -22,10 +22,11 @@ struct CalibrationSetting {
 struct CalibrationKind {
   std::string name;
   std::string behaviour;
-  std::string sensor_type;                         ///< of the sensor, on the calibrated robot, that measures
+  std::string sensor_type;                         ///< of the sensor that measures
   std::string text;                                ///< for help
   std::map<std::string, std::string> sensor_keys;  ///< keys that the sensor has during the calibration
   std::vector<CalibrationSetting> settings;
+  bool on_robot = true;  ///< whether the robot carries the sensor; else it does not move
 };
 
 /// Every kind that exists.

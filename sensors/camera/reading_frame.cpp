@@ -19,7 +19,7 @@ Pose base_of(const config::Deployment& deployment, const config::SensorEntry& en
       refuse(entry, "frame", "robot " + name + " is carried by " + robot.mount + ": its base moves",
              "a robot that is fixed in the world, or the camera's own");
     }
-    return robot.base;
+    return robot.known_base();
   }
   refuse(entry, "frame", "\"" + name + "\"", "one of " + listed(known));
 }

@@ -49,6 +49,12 @@ Pose park_martin(const std::vector<Pose>& a, const std::vector<Pose>& b) {
   return x;
 }
 
+/// F of a posture.
+Pose moved_part(const RobotModel& model, const JointVector& joints, Carried carried) {
+  const Pose flange = model.flange(joints);
+  return carried == Carried::camera ? flange : flange.inverse();
+}
+
 using Corners = Eigen::Matrix<double, 2, 4>;
 
 /// Directions of the corners of a marker of this side at `marker` in the camera frame.
@@ -64,14 +70,19 @@ Corners directions(const Pose& marker, double side) {
 using Matrix8 = Eigen::Matrix<double, 8, 8>;
 
 /// The inverse of the Cholesky factor of the covariance of a view's corners.
-Matrix8 weight_of(const MarkerView& view, const HandEyePriors& priors) {
+Matrix8 weight_of(const MarkerView& view, const HandEyePriors& priors, Carried carried) {
   Eigen::Matrix<double, 8, 6> derivative;
   for (int i = 0; i < 6; ++i) {
     const auto moved = [&](double step) {
       Pose marker = view.marker;
-      if (i < 3) marker.translation()[i] += step;
-      // about the camera: the flange turns there
-      if (i >= 3) marker = Pose(exp_rotation(step * Vector3d::Unit(i - 3))) * marker;
+      if (i < 3) {
+        marker.translation()[i] += step;
+        return directions(marker, view.side);
+      }
+      // the flange turns near what it carries
+      const Matrix3d turn = exp_rotation(step * Vector3d::Unit(i - 3));
+      if (carried == Carried::camera) marker.translation() = turn * marker.translation();
+      marker.linear() = turn * marker.linear();
       return directions(marker, view.side);
     };
     derivative.col(i) =
@@ -92,6 +103,7 @@ struct Problem {
   const RobotModel* model;
   const std::vector<MarkerView>* views;
   HandEyePriors priors;
+  Carried carried;
   Pose camera, marker;           // the starts
   std::vector<Matrix8> weights;  // of each view: difference^T W^T W difference
 
@@ -107,6 +119,7 @@ struct Problem {
   }
   HandEyeFit at(const VectorXd& x) const {
     HandEyeFit fit;
+    fit.carried = carried;
     fit.camera = moved(camera, x, 0);
     fit.marker = moved(marker, x, 6);
     fit.focal = x[12];
@@ -115,7 +128,8 @@ struct Problem {
     return fit;
   }
   static Corners difference(const RobotModel& robot, const HandEyeFit& fit, const MarkerView& view) {
-    Corners seen = directions((robot.flange(view.joints + fit.joints) * fit.camera).inverse() * fit.marker, view.side);
+    Corners seen = directions(
+        (moved_part(robot, view.joints + fit.joints, fit.carried) * fit.camera).inverse() * fit.marker, view.side);
     for (int i = 0; i < 4; ++i) seen.col(i) *= (1 + fit.focal) * (1 + fit.k1 * seen.col(i).squaredNorm());
     return seen - directions(view.marker, view.side);
   }
@@ -163,24 +177,33 @@ double worst(const Matrix3d& covariance) {
 
 }  // namespace
 
-HandEyeFit closed_form_hand_eye(const RobotModel& model, const std::vector<MarkerView>& views) {
+HandEyePriors arm_priors(double joint, double arm) noexcept {
+  HandEyePriors priors;
+  priors.joint = joint;
+  priors.position = arm;
+  priors.rotation = 2 * arm;
+  return priors;
+}
+
+HandEyeFit closed_form_hand_eye(const RobotModel& model, const std::vector<MarkerView>& views, Carried carried) {
   if (views.size() < 3)
     throw NonFatalError(ErrorCode::invalid_argument,
                         std::to_string(views.size()) + " views of the marker, expected at least 3");
   std::vector<Pose> a, b;
   for (std::size_t i = 0; i < views.size(); ++i) {
     for (std::size_t j = i + 1; j < views.size(); ++j) {
-      a.push_back(model.flange(views[j].joints).inverse() * model.flange(views[i].joints));
+      a.push_back(moved_part(model, views[j].joints, carried).inverse() * moved_part(model, views[i].joints, carried));
       b.push_back(views[j].marker * views[i].marker.inverse());
     }
   }
   HandEyeFit fit;
+  fit.carried = carried;
   fit.joints = JointVector::Zero(model.joint_count());
   fit.camera = park_martin(a, b);
   Vector3d position = Vector3d::Zero();
   Matrix3d rotation = Matrix3d::Zero();
   for (const MarkerView& view : views) {
-    const Pose marker = model.flange(view.joints) * fit.camera * view.marker;
+    const Pose marker = moved_part(model, view.joints, carried) * fit.camera * view.marker;
     position += marker.translation() / static_cast<double>(views.size());
     rotation += marker.linear();
   }
@@ -189,10 +212,11 @@ HandEyeFit closed_form_hand_eye(const RobotModel& model, const std::vector<Marke
   return fit;
 }
 
-HandEyeFit fit_hand_eye(const RobotModel& model, const std::vector<MarkerView>& views, const HandEyePriors& priors) {
-  const HandEyeFit start = closed_form_hand_eye(model, views);
-  Problem problem{&model, &views, priors, start.camera, start.marker, {}};
-  for (const MarkerView& view : views) problem.weights.push_back(weight_of(view, priors));
+HandEyeFit fit_hand_eye(const RobotModel& model, const std::vector<MarkerView>& views, const HandEyePriors& priors,
+                        Carried carried) {
+  const HandEyeFit start = closed_form_hand_eye(model, views, carried);
+  Problem problem{&model, &views, priors, carried, start.camera, start.marker, {}};
+  for (const MarkerView& view : views) problem.weights.push_back(weight_of(view, priors, carried));
   VectorXd x = VectorXd::Zero(problem.inputs());
   minimise(problem, x);
   HandEyeFit fit = problem.at(x);
@@ -207,9 +231,14 @@ HandEyeFit fit_hand_eye(const RobotModel& model, const std::vector<MarkerView>& 
   fit.position_deviation = worst(covariance.block<3, 3>(0, 0));
   fit.rotation_deviation = worst(covariance.block<3, 3>(3, 3));
   fit.focal_deviation = std::sqrt(covariance(12, 12));
-  for (const MarkerView& view : views)
-    fit.residuals.push_back(std::sqrt(Problem::difference(model, fit, view).squaredNorm() / 4));
+  fit.marker_position_deviation = worst(covariance.block<3, 3>(6, 6));
+  fit.marker_rotation_deviation = worst(covariance.block<3, 3>(9, 9));
+  for (const MarkerView& view : views) fit.residuals.push_back(residual_of(model, fit, view));
   return fit;
+}
+
+double residual_of(const RobotModel& model, const HandEyeFit& fit, const MarkerView& view) {
+  return std::sqrt(Problem::difference(model, fit, view).squaredNorm() / 4);
 }
 
 }  // namespace mrroc::calibration

@@ -6,7 +6,10 @@
 
 namespace mrroc::calibration {
 
-/// One picture of a square marker that does not move, taken by a camera on a robot's flange.
+/// What a robot's flange carries; the other of the two does not move.
+enum class Carried { camera, marker };
+
+/// One picture of a square marker.
 struct MarkerView {
   JointVector joints;              ///< of the robot, rad or m
   Pose marker = Pose::Identity();  ///< in the camera frame (z along the view, x right, y down), its middle
@@ -23,29 +26,37 @@ struct HandEyePriors {
   double corner = 5e-5;    ///< rad: of a corner in the picture
 };
 
-/// The camera on the flange, and everything that its estimation needs.
+/// Those of an arm whose joints' zeros have this deviation (rad or m), and its flange `arm` (m; twice as many rad).
+HandEyePriors arm_priors(double joint, double arm) noexcept;
+
+/// Where camera and marker are, and everything that the estimation needs.
 struct HandEyeFit {
-  Pose camera = Pose::Identity();  ///< X: the camera frame in the flange frame
-  Pose marker = Pose::Identity();  ///< Z: the marker in the robot's base frame
+  Carried carried = Carried::camera;
+  Pose camera = Pose::Identity();  ///< X: the camera frame in the flange frame; in the base frame if it does not move
+  Pose marker = Pose::Identity();  ///< Z: the marker in the base frame; in the flange frame if it is carried
   double focal = 0;                ///< e: the true focal length is (1 + e) times that of the readings
   double k1 = 0;                   ///< of the lens, beyond that of the readings
   JointVector joints;              ///< d: joints are the encoders' readings plus d
   double position_deviation = 0;   ///< standard deviation of X in its worst direction, m
   double rotation_deviation = 0;   ///< rad
   double focal_deviation = 0;
+  double marker_position_deviation = 0;  ///< of Z, as of X
+  double marker_rotation_deviation = 0;
   std::vector<double> residuals;  ///< of each view: root mean square of its corners' directions, rad
 };
 
 /// X and Z in closed form (Park and Martin, "Robot sensor calibration: solving AX = XB on the Euclidean group", IEEE
-/// Trans. Robotics and Automation 10(5), 1994): with F_k = flange(q_k) and B_k the marker in the camera frame, F_k X
-/// B_k = Z for all k; e, k1 and d are 0. Throws NonFatalError(invalid_argument): fewer than three views, or turns of
-/// the flange about one axis only. Any thread; allocates.
-HandEyeFit closed_form_hand_eye(const RobotModel& model, const std::vector<MarkerView>& views);
+/// Trans. Robotics and Automation 10(5), 1994): with F_k = flange(q_k), or its inverse where the flange carries the
+/// marker, and B_k the marker in the camera frame, F_k X B_k = Z for all k; e, k1 and d are 0. Throws
+/// NonFatalError(invalid_argument): fewer than three views, or turns of the flange about one axis only. Any thread;
+/// allocates.
+HandEyeFit closed_form_hand_eye(const RobotModel& model, const std::vector<MarkerView>& views,
+                                Carried carried = Carried::camera);
 
 /// The maximum a-posteriori estimate of X, Z, e, k1 and d. View k shows the corner c of the marker, (+-side, +-side, 0)
 /// / 2, in the direction u = h(B_k c), h(x, y, z) = (x, y) / z; the model expects it in
 ///
-///   u = (1 + e) (1 + k1 |w|^2) w,   w = h((flange(q_k + d) X)^-1 Z c)
+///   u = (1 + e) (1 + k1 |w|^2) w,   w = h((F(q_k + d) X)^-1 Z c)
 ///
 /// Minimised are the squares of the differences, weighed by their covariance, and of e, k1 and d over their priors,
 /// from the closed form by Levenberg-Marquardt (Eigen's port of MINPACK). The covariance of the four corners of a view
@@ -55,9 +66,13 @@ HandEyeFit closed_form_hand_eye(const RobotModel& model, const std::vector<Marke
 /// weights, times the mean square of the weighed differences, at least kLeastVariance.
 ///
 /// Throws as `closed_form_hand_eye`; NonFatalError(invalid_argument) when the iteration does not converge.
-HandEyeFit fit_hand_eye(const RobotModel& model, const std::vector<MarkerView>& views,
-                        const HandEyePriors& priors = {});
+HandEyeFit fit_hand_eye(const RobotModel& model, const std::vector<MarkerView>& views, const HandEyePriors& priors = {},
+                        Carried carried = Carried::camera);
 
 inline constexpr double kLeastVariance = 0.1;
+
+/// Root mean square of the differences between where a view shows the corners and where `fit` expects them, rad. Any
+/// thread.
+double residual_of(const RobotModel& model, const HandEyeFit& fit, const MarkerView& view);
 
 }  // namespace mrroc::calibration

@@ -44,10 +44,13 @@ bool within_limits(const RobotModel& model, const JointVector& joints) {
 
 std::vector<JointVector> view_postures(const RobotModel& model, const HandEyeFit& rough, const JointVector& near,
                                        std::size_t count) {
-  const Pose first = rough.marker.inverse() * model.flange(near) * rough.camera;
+  const bool moves = rough.carried == Carried::camera;
+  const Pose flange_near = model.flange(near);
+  const Pose first = rough.marker.inverse() * (moves ? flange_near : flange_near.inverse()) * rough.camera;
   std::vector<JointVector> postures;
   for (int k = 0; k < kCandidates && postures.size() < count; ++k) {
-    const Pose flange = rough.marker * view(first, k) * rough.camera.inverse();
+    const Pose carrier = rough.marker * view(first, k) * rough.camera.inverse();
+    const Pose flange = moves ? carrier : carrier.inverse();
     JointVector joints = near;
     if (model.inverse(flange, near, joints) != ErrorCode::none) continue;
     if ((joints - near).cwiseAbs().maxCoeff() > kFarthest || !within_limits(model, joints)) continue;

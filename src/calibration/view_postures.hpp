@@ -6,7 +6,7 @@
 
 namespace mrroc::calibration {
 
-/// Postures from which the camera of `rough` looks at its marker from many sides: the camera on a cap around the
+/// Postures from which the camera of `rough` sees its marker from many sides: the camera on a cap around the
 /// marker's view from posture `near`, tilted by up to 0.45 rad, turned about its view by up to 0.5 rad, at 1.0 to 1.6
 /// of the distance, the marker within a tenth of the distance of the picture's middle. At most `count`, in a fixed
 /// order; those beyond the limits of joints or motors, or with a joint farther than 1.5 rad or m from `near`, are left

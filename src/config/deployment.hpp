@@ -70,8 +70,12 @@ struct RobotEntry {
   /// In the world, or in the frame of the carrier's site `tool`: `position = [x, y, z]` (m), `rotation = [r, p, y]`
   /// (rad, fixed axes x y z).
   Pose base = Pose::Identity();
+  /// Where its base is as measured, in the world: `base_position`, `base_rotation`. What tasks and readings count on; a
+  /// simulated robot stays at `base`.
+  std::optional<Pose> measured_base;
   std::string edp_program;  ///< key `edp` of its parameter file, else `<type>_edp`; absolute path
 
+  const Pose& known_base() const { return measured_base ? *measured_base : base; }
   RobotFiles files() const { return robot_files(type, parameters); }
   /// Whether the EDP is the type's own; else it serves several types.
   bool own_edp() const { return std::filesystem::path(edp_program).filename() == type + "_edp"; }

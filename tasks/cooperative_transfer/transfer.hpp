@@ -78,7 +78,7 @@ class TransferBy : public mp::Task {
   const Eigen::Vector3d tool_centre{0.0022, 0.0021, arms.tool_centre};  // m, in the wrist's frame
   const Pose grip_in_wrist{Eigen::Translation3d(0, 0, arms.grip)};
 
-  Pose base(const Robot& robot) const { return process().deployment().robot(robot.name()).base; }
+  Pose base(const Robot& robot) const { return process().deployment().robot(robot.name()).known_base(); }
 
   /// The wrench of the bar on the arm's grip: the wrist's reading without the weight of the tool.
   Wrench of_bar(const Robot& arm, const ForceTorque& wrist) const {

@@ -4,6 +4,9 @@
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
+
+#include "calibration/outlying_views.hpp"
 #include "calibration/seeded.hpp"
 #include "calibration/view_postures.hpp"
 #include "mrroc/errors.hpp"
@@ -60,15 +63,29 @@ Pose seen_pose(const Eigen::Matrix<double, 2, 4>& corners, Pose pose) {
   return pose;
 }
 
-Scene scene(std::uint32_t seed, const Noise& noise) {
+/// The marker in the camera frame.
+Pose seen_from(const JointVector& joints, const HandEyeFit& truth) {
+  const Pose flange = irb6().flange(joints);
+  const Pose carrier = truth.carried == Carried::camera ? flange : flange.inverse();
+  return (carrier * truth.camera).inverse() * truth.marker;
+}
+
+Scene scene(std::uint32_t seed, const Noise& noise, Carried carried = Carried::camera) {
   Seeded random(seed);
   const JointVector home = irb6().parameters().home;
   Scene made;
   HandEyeFit& truth = made.truth;
+  truth.carried = carried;
   truth.camera = Eigen::Translation3d(Eigen::Vector3d(0.08, 0, 0.06) + random.vector(0.01)) *
                  Pose(exp_rotation(random.vector(0.1) + Eigen::Vector3d(0, 0, 1.6)));
   truth.marker = irb6().flange(home) * truth.camera * Pose(Eigen::Translation3d(0.02, 0.01, 0.4)) *
                  Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitX());
+  if (carried == Carried::marker) {
+    truth.marker = Eigen::Translation3d(Eigen::Vector3d(0.02, 0, 0.2) + random.vector(0.01)) *
+                   Pose(exp_rotation(random.vector(0.1)));
+    truth.camera = irb6().flange(home) * truth.marker * Pose(Eigen::Translation3d(0.02, 0.01, 0.4)) *
+                   Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitX());
+  }
   truth.focal = random.within(noise.focal);
   truth.k1 = random.within(noise.k1);
   truth.joints = JointVector::Zero(home.size());
@@ -77,7 +94,7 @@ Scene scene(std::uint32_t seed, const Noise& noise) {
     MarkerView view;
     view.joints = joints - truth.joints;  // the encoders' readings
     view.side = kSide;
-    const Pose marker = (irb6().flange(joints) * truth.camera).inverse() * truth.marker;
+    const Pose marker = seen_from(joints, truth);
     Eigen::Matrix<double, 2, 4> corners = corners_of(marker);
     for (int i = 0; i < 4; ++i) {
       corners.col(i) *= (1 + truth.focal) * (1 + truth.k1 * corners.col(i).squaredNorm());
@@ -92,9 +109,11 @@ Scene scene(std::uint32_t seed, const Noise& noise) {
 double distance(const Pose& a, const Pose& b) { return (a.translation() - b.translation()).norm(); }
 double angle(const Pose& a, const Pose& b) { return rotation_vector(a.linear().transpose() * b.linear()).norm(); }
 
-RC_GTEST_PROP(HandEye, ClosedFormIsExactWithoutErrors, (std::uint32_t seed)) {
-  const Scene made = scene(seed, {});
-  const HandEyeFit fit = closed_form_hand_eye(irb6(), made.views);
+Carried carried_of(bool marker) { return marker ? Carried::marker : Carried::camera; }
+
+RC_GTEST_PROP(HandEye, ClosedFormIsExactWithoutErrors, (std::uint32_t seed, bool marker)) {
+  const Scene made = scene(seed, {}, carried_of(marker));
+  const HandEyeFit fit = closed_form_hand_eye(irb6(), made.views, carried_of(marker));
   RC_ASSERT(distance(fit.camera, made.truth.camera) < 1e-8);
   RC_ASSERT(angle(fit.camera, made.truth.camera) < 1e-6);
   RC_ASSERT(distance(fit.marker, made.truth.marker) < 1e-8);
@@ -109,12 +128,14 @@ RC_GTEST_PROP(HandEye, FindsTheFocalLengthToo, (std::uint32_t seed)) {
 }
 
 // errors of an arm that was not calibrated, and of a picture
-RC_GTEST_PROP(HandEye, ErrorsFollowTheDeviations, (std::uint32_t seed)) {
-  const Scene made = scene(seed, {.corner = 1e-4, .focal = 0.003, .k1 = 0.01, .joint = 0.0005});
-  const HandEyeFit fit = fit_hand_eye(irb6(), made.views);
+RC_GTEST_PROP(HandEye, ErrorsFollowTheDeviations, (std::uint32_t seed, bool marker)) {
+  const Scene made = scene(seed, {.corner = 1e-4, .focal = 0.003, .k1 = 0.01, .joint = 0.0005}, carried_of(marker));
+  const HandEyeFit fit = fit_hand_eye(irb6(), made.views, {}, carried_of(marker));
   RC_ASSERT(distance(fit.camera, made.truth.camera) < 6 * fit.position_deviation);
   RC_ASSERT(angle(fit.camera, made.truth.camera) < 6 * fit.rotation_deviation);
   RC_ASSERT(std::abs(fit.focal - made.truth.focal) < 6 * fit.focal_deviation);
+  RC_ASSERT(distance(fit.marker, made.truth.marker) < 6 * fit.marker_position_deviation);
+  RC_ASSERT(angle(fit.marker, made.truth.marker) < 6 * fit.marker_rotation_deviation);
 }
 
 TEST(HandEye, RefinementIsBetterThanTheClosedForm) {
@@ -126,6 +147,28 @@ TEST(HandEye, RefinementIsBetterThanTheClosedForm) {
   }
   std::printf("mean error of the position: %.3f mm in closed form, %.3f mm refined\n", 1000 * closed, 1000 * refined);
   EXPECT_LT(refined, 0.5 * closed);
+}
+
+RC_GTEST_PROP(HandEye, ViewsThatContradictTheOthersAreLeftOut, (std::uint32_t seed, bool marker)) {
+  Scene made = scene(seed, {.corner = 1e-4, .focal = 0.003}, carried_of(marker));
+  const std::size_t first = seed % made.views.size(), second = (first + 7) % made.views.size();
+  made.views[first].marker.translation().x() += 0.01;
+  made.views[second].marker.linear() *= exp_rotation(Eigen::Vector3d(0.6, 0, 0));
+  const AgreedFit agreed = fit_of_agreeing_views(irb6(), made.views, {}, carried_of(marker));
+  RC_ASSERT(agreed.used.size() + agreed.left_out.size() == made.views.size());
+  RC_ASSERT(agreed.fit.residuals.size() == agreed.used.size());
+  for (const std::size_t wrong : {first, second})
+    RC_ASSERT(std::count(agreed.left_out.begin(), agreed.left_out.end(), wrong) == 1);
+  RC_ASSERT(distance(agreed.fit.camera, made.truth.camera) < 6 * agreed.fit.position_deviation);
+}
+
+TEST(HandEye, AFifthOfTheViewsIsLeftOutAtMost) {
+  Scene made = scene(5, {.corner = 1e-4});
+  for (std::size_t k = 0; k < made.views.size(); k += 2)
+    made.views[k].marker.translation().y() += 0.002 * static_cast<double>(k);
+  const AgreedFit agreed = fit_of_agreeing_views(irb6(), made.views, {});
+  EXPECT_LE(5 * agreed.left_out.size(), made.views.size());
+  EXPECT_GT(*std::max_element(agreed.fit.residuals.begin(), agreed.fit.residuals.end()), 1e-3);
 }
 
 TEST(HandEye, RefusesViewsThatDoNotDefineAPose) {

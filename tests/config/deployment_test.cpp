@@ -6,6 +6,7 @@
 #include "config/deployment_fixture.hpp"
 #include "config/entries/operator_answer.hpp"
 #include "config/resources.hpp"
+#include "geometry/rigid_motion.hpp"
 
 namespace mrroc::config::deployment_test {
 namespace {
@@ -80,6 +81,18 @@ TEST_F(DeploymentTest, AnInputMayBeTheEmergencyStopOfARobot) {
   EXPECT_FALSE(load_deployment(scratch.write("none.toml", text)).robot("arm").emergency_stop);
   const auto file = scratch.write("input.toml", text + "emergency_stop = 15\n");
   EXPECT_EQ(load_deployment(file).robot("arm").emergency_stop, 15);
+}
+
+TEST_F(DeploymentTest, AMeasuredBaseIsKnownBesideTheOneOfTheSimulation) {
+  const task_test::ScratchFolder scratch;
+  const std::string text =
+      "[deployment]\nname = \"one\"\n[robots.arm]\ntype = \"irb6\"\nhardware = \"loopback\"\nposition = [1, 2, 3]\n";
+  const RobotEntry placed = load_deployment(scratch.write("placed.toml", text)).robot("arm");
+  EXPECT_TRUE(placed.known_base().isApprox(placed.base));
+  const auto file = scratch.write("measured.toml", text + "base_position = [1, 2, 3.5]\nbase_rotation = [0, 0, 0.5]\n");
+  const RobotEntry measured = load_deployment(file).robot("arm");
+  EXPECT_TRUE(measured.base.isApprox(placed.base));
+  EXPECT_TRUE(measured.known_base().isApprox(pose_from_rpy({1, 2, 3.5}, {0, 0, 0.5})));
 }
 
 TEST_F(DeploymentTest, TurnsTheBaseAboutFixedAxes) {

@@ -8,27 +8,13 @@
 #include "geometry/rigid_motion.hpp"
 #include "replace.hpp"
 #include "sim/errors/true_errors.hpp"
+#include "system/calibration_files.hpp"
 #include "system/mrroc_run.hpp"
-#include "text_of.hpp"
 
 namespace mrroc::test::calibrate_test {
 namespace {
 
 constexpr const char* kForceDemo = MRROC_SOURCE_DIR "/sensors/force_torque/demo.toml";
-
-/// A copy of a deployment that names a calibration file.
-std::filesystem::path with_calibration(const ScratchFolder& folder, const std::string& deployment, const char* scene,
-                                       const std::filesystem::path& calibration) {
-  std::string text = text_of(deployment);
-  replace(text, "[deployment]\n", "[deployment]\ncalibration = ['" + calibration.string() + "']\n");
-  replace(text, "\"" + std::string(scene) + "\"",
-          "'" + (std::filesystem::path(deployment).parent_path() / scene).string() + "'");
-  return folder.write("calibrated.toml", text);
-}
-
-Eigen::Vector3d vector(const config::Table& table, const char* key) {
-  return Eigen::Vector3d(table.numbers(key, 3).data());
-}
 
 TEST(CalibrateLoad, TaskFailsBeforeAndSucceedsAfterIt) {
   for (const std::string seed : {"1", "2", "3"}) {
@@ -88,8 +74,7 @@ EyeError calibrated_eye(const ScratchFolder& folder, const std::string& errors, 
   run_mrroc(arguments, 0);
   const config::Table eye = config::Table::load(file).table("sensors").table("eye");
   const Pose found = pose_from_rpy(vector(eye, "mount_position"), vector(eye, "mount_rotation"));
-  config::ErrorsEntry sizes = config::read_errors(config::Table::parse(
-      folder / "errors.toml", "set = '" + config::errors_set(errors).string() + "'\nseed = " + seed));
+  const config::ErrorsEntry sizes = errors_of(folder, config::errors_set(errors), seed);
   const Pose truth = kNominalEye * sim::error_of_camera(sizes, "eye");
   const auto angle = [](const Pose& a, const Pose& b) {
     return rotation_vector(a.linear().transpose() * b.linear()).norm();
@@ -152,12 +137,19 @@ TEST(Calibrate, WrongArgumentsAreNamedBeforeAnythingStarts) {
   EXPECT_NE(
       refusal({"load", kForceDemo, "--sensor", "plain", "--into", "/nowhere/a.toml"}).find("no folder '/nowhere'"),
       std::string::npos);
-  EXPECT_NE(refusal({"weight", kForceDemo, "--into", into}).find("no kind 'weight', expected 'load' or 'hand-eye'"),
+  EXPECT_NE(refusal({"weight", kForceDemo, "--into", into})
+                .find("no kind 'weight', expected 'load', 'hand-eye', 'base' or 'camera'"),
             std::string::npos);
   EXPECT_NE(refusal({"load", kForceDemo, "--into", into, "--reach", "9"}).find("expected a number from 0.05 to 3"),
             std::string::npos);
   EXPECT_NE(refusal({"load", MRROC_SOURCE_DIR "/tasks/pick/pick.toml", "--into", into})
                 .find("the deployment has no robot with a sensor of type 'force_torque'"),
+            std::string::npos);
+  EXPECT_NE(refusal({"camera", MRROC_SOURCE_DIR "/tasks/inspect/inspect.toml", "--into", into})
+                .find("the deployment has no robot beside a sensor of type 'camera' that does not move"),
+            std::string::npos);
+  EXPECT_NE(refusal({"base", MRROC_SOURCE_DIR "/tasks/inspect/inspect.toml", "--into", into, "--roll", "9"})
+                .find("expected a number from -6.28"),
             std::string::npos);
 }
 

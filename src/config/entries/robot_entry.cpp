@@ -45,6 +45,19 @@ Pose read_base(const Table& table) {
   return pose_from_rpy(Eigen::Vector3d(position.data()), Eigen::Vector3d(rotation.data()));
 }
 
+/// `base_position`, `base_rotation`: as measured.
+std::optional<Pose> read_measured_base(const Table& table, const RobotEntry& robot) {
+  const auto position = table.optional_numbers("base_position", 3);
+  const auto rotation = table.optional_numbers("base_rotation", 3);
+  if (rotation && !position) table.fail("base_rotation", "alone", "base_position beside it");
+  if (!position) return std::nullopt;
+  if (!robot.mount.empty())
+    table.fail("base_position", "of a robot that " + in_quotes(robot.mount) + " carries: its base moves",
+               "the key of a robot that is fixed in the world");
+  const std::vector<double> none(3, 0.0);
+  return pose_from_rpy(Eigen::Vector3d(position->data()), Eigen::Vector3d(rotation.value_or(none).data()));
+}
+
 void read_force(const Table& table, RobotEntry& robot) {
   robot.force_sensor = table.optional_text("force_sensor").value_or("");
   for (const auto& [key, first] : {std::pair{"force_limit", 0}, {"torque_limit", 3}}) {
@@ -84,8 +97,9 @@ void check_period(const Table& table, const Table& parameters, const Deployment&
 
 RobotEntry read_robot(const Table& table, const std::string& name, const Deployment& deployment) {
   allow_driver_tables(table, "robot", robot_drivers());
-  table.only({"type", "parameters", "program", "hardware", "host", "mount", "position", "rotation", "synchronised",
-              "emergency_stop", "force_sensor", "force_limit", "torque_limit", "load"});
+  table.only({"type", "parameters", "program", "hardware", "host", "mount", "position", "rotation", "base_position",
+              "base_rotation", "synchronised", "emergency_stop", "force_sensor", "force_limit", "torque_limit",
+              "load"});
   RobotEntry robot;
   robot.name = name;
   robot.type = table.choice("type", robot_types());
@@ -94,6 +108,7 @@ RobotEntry read_robot(const Table& table, const std::string& name, const Deploym
   robot.driver = read_hardware(table, robot, deployment);
   robot.mount = table.optional_text("mount").value_or("");
   robot.base = read_base(table);
+  robot.measured_base = read_measured_base(table, robot);
   robot.synchronised = read_synchronised(table, robot);
   read_can(table, deployment, robot);
   if (table.has("emergency_stop"))

@@ -107,6 +107,10 @@ TEST(Blob, ReadingIsInTheFrameThatTheKeyNames) {
   const Eigen::Vector3d in_base = seen_in("frame = 'arm'\nplane = [" + std::to_string(plane.x()) + ", " +
                                           std::to_string(plane.y()) + ", " + std::to_string(plane.z()) + "]\n");
   EXPECT_LT((arm.base * in_base - part.translation()).norm(), 0.002);
+  arm.measured_base = std::exchange(arm.base, Pose::Identity());
+  const Eigen::Vector3d measured = seen_in("frame = 'arm'\nplane = [" + std::to_string(plane.x()) + ", " +
+                                           std::to_string(plane.y()) + ", " + std::to_string(plane.z()) + "]\n");
+  EXPECT_TRUE(measured.isApprox(in_base, 1e-9)) << "where a robot is as measured";
 }
 
 TEST(Blob, PoseOfACameraIsSetByKeys) {

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <mrroc/message.hpp>
+
+namespace mrroc::calibration {
+
+/// A behaviour of the program calibrate_camera: brings a marker that the robot carries before `camera`, a camera that
+/// does not move and whose readings are in the camera frame, in postures around the present one, in which it is seen;
+/// estimates the camera's pose in the robot's base frame and its focal length (`fit_hand_eye`), returns, and writes
+/// them into the calibration file `into`, an absolute path, the pose in the world. Where the marker is on the flange
+/// need not be known. Nothing may be in the way between the two.
+struct CalibrateCamera {
+  FixedText<kNameLength> sensor = {};
+  FixedText<255> into = {};
+  int marker = -1;            ///< of the camera's dictionary; -1: as deployed
+  double marker_size = 0.05;  ///< m, beside `marker`
+  int views = 20;
+  double reach = 0.12;              ///< rad or m of the last three joints, for the first estimate
+  double speed = 0.5;               ///< as JointLine's
+  double joint_deviation = 0.0003;  ///< rad or m: HandEyePriors::joint
+  double arm_deviation = 0.0001;    ///< m: HandEyePriors::position; of its rotation, twice as many rad
+  double residual_bound = 0.002;    ///< rad: largest residual of a view that is accepted
+};
+MRROC_MESSAGE(CalibrateCamera, sensor, into, marker, marker_size, views, reach, speed, joint_deviation, arm_deviation,
+              residual_bound)
+
+}  // namespace mrroc::calibration

@@ -1,0 +1,92 @@
+#include "calibration/common/marker_views.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+
+#include "calibration/view_postures.hpp"
+#include "geometry/rigid_motion.hpp"
+
+namespace mrroc::calibration {
+
+namespace {
+
+constexpr double kSettling = 0.6;        // s of rest before a picture
+constexpr double kWorstRotation = 0.05;  // rad: a view with a larger deviation may be the mirrored pose
+constexpr int kPictures = 4;             // of a posture
+constexpr std::size_t kLeastViews = 6;
+
+/// The mean of several pictures at rest; nothing when the marker is not seen in all of them.
+std::optional<MarkerView> look(Robot& arm, Camera& eye) {
+  Move({arm}, {}, Hold{arm, kSettling});
+  MarkerView view;
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Zero();
+  for (int picture = 0; picture < kPictures; ++picture) {
+    Wait({arm}, {eye}, ElapsedSteps{1});
+    if (!eye.detected() || !(eye.rotation_deviation() < kWorstRotation)) return std::nullopt;
+    position += eye.position() / kPictures;
+    rotation += eye.pose().linear() / kPictures;
+    view.side = std::sqrt(eye.area());
+  }
+  view.joints = arm.state().joints;
+  view.marker.translation() = position;
+  view.marker.linear() = orthonormal(rotation);
+  return view;
+}
+
+}  // namespace
+
+MarkerViews::MarkerViews(ecp::Task& task, Robot& arm, Carried carried) : arm_(arm), carried_(carried) {
+  const std::string carrier = carried == Carried::camera ? arm.name() : "";
+  for (const config::SensorEntry* entry : sensors_on(task.process().deployment(), carrier, "camera"))
+    cameras_.try_emplace(entry->name, task, entry->name);
+}
+
+/// The views of those postures from which the marker is seen.
+std::vector<MarkerView> MarkerViews::look_from(const std::vector<JointVector>& postures, Camera& eye, double speed) {
+  std::vector<MarkerView> views;
+  for (const JointVector& posture : postures) {
+    Move({arm_}, {}, JointLine{arm_, posture, speed});
+    if (const auto view = look(arm_, eye)) views.push_back(*view);
+  }
+  return views;
+}
+
+AgreedFit MarkerViews::estimate(const ViewOrder& order) {
+  const auto found = cameras_.find(order.sensor);
+  if (found == cameras_.end())
+    throw NonFatalError(ErrorCode::invalid_argument,
+                        "'" + order.sensor + "' is no camera " +
+                            (carried_ == Carried::camera ? "of robot '" + arm_.name() + "'" : "that does not move"));
+  Camera& eye = found->second;
+  if (order.marker >= 0) eye.configure(LookFor{order.marker, order.marker_size});
+  Move({arm_}, {}, Hold{arm_, 0.1});
+  const RobotModel& model = *arm_.models().front();
+  const JointVector start = arm_.state().desired_joints;
+  const std::optional<MarkerView> first = look(arm_, eye);
+  if (!first)
+    throw NonFatalError("camera '" + eye.name() +
+                        "' does not see the marker clearly from the robot's present posture: move the robot there");
+  std::vector<MarkerView> views = look_from(first_postures(model, start, order.reach), eye, order.speed);
+  views.push_back(*first);
+  const HandEyeFit rough = closed_form_hand_eye(model, views, carried_);
+  views = look_from(view_postures(model, rough, start, static_cast<std::size_t>(order.views)), eye, order.speed);
+  Move({arm_}, {}, JointLine{arm_, start, order.speed});
+  if (views.size() < kLeastViews)
+    throw NonFatalError("the marker was seen from " + std::to_string(views.size()) + " postures, expected at least " +
+                        std::to_string(kLeastViews) + ": move the robot to a posture with more room around it");
+  return fit_of_agreeing_views(model, views, order.priors, carried_);
+}
+
+double print_residuals(const AgreedFit& agreed) {
+  const std::vector<double>& residuals = agreed.fit.residuals;
+  for (std::size_t k = 0; k < residuals.size(); ++k)
+    std::printf("view %2zu: residual %.3f mrad\n", agreed.used[k] + 1, 1000 * residuals[k]);
+  for (const std::size_t view : agreed.left_out)
+    std::printf("view %2zu: left out, it contradicts the others\n", view + 1);
+  return *std::max_element(residuals.begin(), residuals.end());
+}
+
+}  // namespace mrroc::calibration

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "calibration/common/any_robot.hpp"
+#include "calibration/outlying_views.hpp"
+#include "mrroc/sensors/camera.hpp"
+
+namespace mrroc::calibration {
+
+/// How a camera sees a marker while a robot carries one of the two.
+struct ViewOrder {
+  std::string sensor;  ///< the camera
+  int marker = -1;     ///< of its dictionary; -1: as deployed
+  double marker_size;  ///< m, beside `marker`
+  int views;           ///< postures, at most
+  double reach;        ///< rad or m of the last three joints, for the first estimate
+  double speed;        ///< as JointLine's
+  HandEyePriors priors;
+};
+
+/// The cameras on the flange of a robot, or those that do not move while the robot carries a marker; their readings are
+/// in the camera frame. Task's thread.
+class MarkerViews {
+ public:
+  /// While the task is being built. Throws as `Camera`.
+  MarkerViews(ecp::Task& task, Robot& arm, Carried carried = Carried::camera);
+
+  /// Looks at the marker in postures around the present one, in which it is seen, returns, and estimates the poses of
+  /// camera and marker (`fit_of_agreeing_views`). Nothing may be in the way between the two.
+  /// Throws NonFatalError: no such camera, or too few views.
+  AgreedFit estimate(const ViewOrder& order);
+
+ private:
+  std::vector<MarkerView> look_from(const std::vector<JointVector>& postures, Camera& eye, double speed);
+
+  Robot& arm_;
+  Carried carried_;
+  std::map<std::string, Camera> cameras_;
+};
+
+/// Prints the residual of each view, and which were left out; returns the largest residual, rad.
+double print_residuals(const AgreedFit& agreed);
+
+}  // namespace mrroc::calibration
