@@ -38,12 +38,14 @@ class BaseCalibration : public ecp::Task {
     std::printf("roll, pitch, yaw (%.5f, %.5f, %.5f) rad +- %.5f\n", turns.x(), turns.y(), turns.z(),
                 fit.marker_rotation_deviation);
     const Pose before = process().deployment().robot(arm.name()).known_base();
-    std::printf("%.2f mm and %.5f rad from where the deployment has it\n",
-                1000 * (position - before.translation()).norm(),
-                rotation_vector(before.linear().transpose() * base.linear()).norm());
+    const double distance = (position - before.translation()).norm();
+    const double angle = rotation_vector(before.linear().transpose() * base.linear()).norm();
+    std::printf("%.2f mm and %.5f rad from where the deployment has it\n", 1000 * distance, angle);
     const std::vector<Bound> bounds{{"residual", "rad", residual, order.residual_bound},
                                     {"deviation of the position", "m", deviation, 0.003},
-                                    {"deviation of the rotation", "rad", fit.marker_rotation_deviation, 0.004}};
+                                    {"deviation of the rotation", "rad", fit.marker_rotation_deviation, 0.004},
+                                    {"distance from the deployment's base", "m", distance, order.distance_bound},
+                                    {"angle to the deployment's base", "rad", angle, order.angle_bound}};
     judge(bounds);
     write_calibration(std::string(order.into.view()), "base", "robot '" + arm.name() + "'", bounds,
                       "[robots." + arm.name() + "]\nbase_position = " + toml_list(position) +

@@ -38,7 +38,11 @@ std::optional<MarkerView> look(Robot& arm, Camera& eye) {
 
 }  // namespace
 
-MarkerViews::MarkerViews(ecp::Task& task, Robot& arm, Carried carried) : arm_(arm), carried_(carried) {
+double MarkerViews::deployed_size(const Camera& eye) const {
+  return task_.process().deployment().sensor(eye.name()).numbers.at("marker_size").front();
+}
+
+MarkerViews::MarkerViews(ecp::Task& task, Robot& arm, Carried carried) : task_(task), arm_(arm), carried_(carried) {
   const std::string carrier = carried == Carried::camera ? arm.name() : "";
   for (const config::SensorEntry* entry : sensors_on(task.process().deployment(), carrier, "camera"))
     cameras_.try_emplace(entry->name, task, entry->name);
@@ -61,7 +65,8 @@ AgreedFit MarkerViews::estimate(const ViewOrder& order) {
                         "'" + order.sensor + "' is no camera " +
                             (carried_ == Carried::camera ? "of robot '" + arm_.name() + "'" : "that does not move"));
   Camera& eye = found->second;
-  if (order.marker >= 0) eye.configure(LookFor{order.marker, order.marker_size});
+  if (order.marker >= 0)
+    eye.configure(LookFor{order.marker, order.marker_size > 0 ? order.marker_size : deployed_size(eye)});
   Move({arm_}, {}, Hold{arm_, 0.1});
   const RobotModel& model = *arm_.models().front();
   const JointVector start = arm_.state().desired_joints;

@@ -14,7 +14,7 @@ namespace mrroc::calibration {
 struct ViewOrder {
   std::string sensor;  ///< the camera
   int marker = -1;     ///< of its dictionary; -1: as deployed
-  double marker_size;  ///< m, beside `marker`
+  double marker_size;  ///< m, beside `marker`; 0: as deployed
   int views;           ///< postures, at most
   double reach;        ///< rad or m of the last three joints, for the first estimate
   double speed;        ///< as JointLine's
@@ -36,6 +36,9 @@ class MarkerViews {
  private:
   std::vector<MarkerView> look_from(const std::vector<JointVector>& postures, Camera& eye, double speed);
 
+  double deployed_size(const Camera& eye) const;
+
+  ecp::Task& task_;
   Robot& arm_;
   Carried carried_;
   std::map<std::string, Camera> cameras_;

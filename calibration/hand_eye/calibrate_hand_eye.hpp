@@ -11,8 +11,8 @@ namespace mrroc::calibration {
 struct CalibrateHandEye {
   FixedText<kNameLength> sensor = {};
   FixedText<255> into = {};
-  int marker = -1;            ///< of the camera's dictionary; -1: as deployed
-  double marker_size = 0.05;  ///< m, beside `marker`
+  int marker = -1;         ///< of the camera's dictionary; -1: as deployed
+  double marker_size = 0;  ///< m, beside `marker`; 0: as deployed
   int views = 20;
   double reach = 0.12;              ///< rad or m of the last three joints, for the first estimate
   double speed = 0.5;               ///< as JointLine's

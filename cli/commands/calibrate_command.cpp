@@ -69,9 +69,12 @@ void add_settings(CLI::App& command, CalibrateArguments& arguments) {
               },
               ""));
     } else {
-      command::add_number<double>(command, option_of(setting.name), setting.value, setting.min, setting.max,
-                                  setting.text)
-          ->capture_default_str();
+      CLI::Option* const option = command::add_number<double>(command, option_of(setting.name), setting.value,
+                                                              setting.min, setting.max, setting.text);
+      if (setting.required)
+        option->required();
+      else
+        option->capture_default_str();
     }
   }
 }

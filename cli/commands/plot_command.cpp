@@ -16,6 +16,7 @@
 #include "command/print.hpp"
 #include "command/write_file.hpp"
 #include "config/table.hpp"
+#include "config/text/message_text.hpp"
 
 namespace mrroc::cli {
 
@@ -51,6 +52,12 @@ std::string row(const record::Signal& signal, const std::optional<double>& level
 }
 
 void plot(const PlotArguments& arguments) {
+  if (!arguments.picture.empty() && arguments.picture.extension() != ".svg")
+    throw config::ConfigurationError(arguments.file, 0, "--output",
+                                     config::in_quotes(arguments.picture.string()) + " is no name of a picture",
+                                     "a name that ends with .svg");
+  if (arguments.span.from > arguments.span.to)
+    throw config::ConfigurationError(arguments.file, 0, "--from", "is after --to", "a time before it");
   const auto groups = record::read_signals(arguments.file, arguments.names, arguments.span);
   std::string table = fmt::format("{:<40} {:>8} {:>26} {:>26}\n", "signal", "messages", "least", "greatest");
   for (const std::vector<record::Signal>& group : groups)

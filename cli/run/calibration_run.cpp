@@ -1,6 +1,8 @@
 #include "cli/run/calibration_run.hpp"
 
+#include <fcntl.h>
 #include <stdlib.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -52,6 +54,25 @@ std::vector<std::string> suitable_robots(const config::Deployment& deployment, c
   return names;
 }
 
+/// By its first line.
+bool is_calibration(const std::filesystem::path& file) {
+  if (!std::filesystem::is_regular_file(file)) return false;
+  std::string first;
+  std::getline(std::ifstream(file), first);
+  return first.starts_with("# Written by `mrroc calibrate");
+}
+
+/// Why the file cannot be opened for writing, which changes nothing; 0: it can.
+int write_error(const std::filesystem::path& file) {
+  const bool there = std::filesystem::exists(file);
+  constexpr mode_t kMode = 0666;
+  const int fd = ::open(file.c_str(), O_WRONLY | O_CLOEXEC | (there ? 0 : O_CREAT | O_EXCL), kMode);
+  if (fd < 0) return errno;
+  ::close(fd);
+  if (!there) ::unlink(file.c_str());
+  return 0;
+}
+
 std::filesystem::path checked_target(const config::Deployment& deployment, const std::filesystem::path& into) {
   const auto refuse = [&](const std::string& problem, const std::string& expected) {
     throw ConfigurationError(deployment.file, 0, "--into", problem, expected);
@@ -60,6 +81,11 @@ std::filesystem::path checked_target(const config::Deployment& deployment, const
   if (!std::filesystem::is_directory(target.parent_path()))
     refuse("no folder " + config::in_quotes(target.parent_path().string()), "a file in an existing folder");
   if (std::filesystem::is_directory(target)) refuse(config::in_quotes(into.string()) + " is a folder", "a file");
+  if (std::filesystem::exists(target) && !is_calibration(target))
+    refuse(config::in_quotes(into.string()) + " exists and is no calibration file",
+           "a new file, or one that `mrroc calibrate` has written");
+  if (const int error = write_error(target); error != 0)
+    refuse(config::in_quotes(into.string()) + " cannot be written: " + std::strerror(error), "a file that can");
   if (target.string().size() > kLongestPath)
     refuse("its absolute path has " + std::to_string(target.string().size()) + " characters",
            "at most " + std::to_string(kLongestPath));
@@ -69,7 +95,7 @@ std::filesystem::path checked_target(const config::Deployment& deployment, const
 /// Of the kinds that look at a marker from many sides.
 std::vector<CalibrationSetting> view_settings() {
   return {{"marker", true, -1, -1, 100000, "Number of the marker in the camera's dictionary; -1: as deployed"},
-          {"marker_size", false, 0.05, 0.001, 10, "m: side of its black square, beside --marker"},
+          {"marker_size", false, 0, 0, 10, "m: side of its black square, beside --marker; 0: as deployed"},
           {"views", true, 20, 6, 200, "Postures from which the camera looks at it"},
           {"reach", false, 0.12, 0.02, 1, "rad or m by which the last three joints move for the first estimate"},
           {"speed", false, 0.5, 0.01, 1, "Of the robot between them, as a part of its greatest"},
@@ -80,10 +106,14 @@ std::vector<CalibrationSetting> view_settings() {
 
 std::vector<CalibrationSetting> with_marker_pose(std::vector<CalibrationSetting> settings) {
   for (const char* name : {"x", "y", "z"})
-    settings.push_back({name, false, 0, -1000, 1000, "m: of the marker's middle in the world"});
+    settings.push_back({name, false, 0, -1000, 1000, "m: of the marker's middle in the world", true});
   for (const char* name : {"roll", "pitch", "yaw"})
     settings.push_back({name, false, 0, -2 * M_PI, 2 * M_PI,
                         "rad: of its axes, about the fixed axes x, y, z; its z points out of it, its y up"});
+  settings.push_back(
+      {"distance_bound", false, 0.1, 0, 1000, "m: largest distance from the deployment's base that is accepted"});
+  settings.push_back(
+      {"angle_bound", false, 0.1, 0, M_PI, "rad: largest angle to the deployment's base that is accepted"});
   return settings;
 }
 

@@ -15,7 +15,8 @@ struct CalibrationSetting {
   bool whole;        ///< an integer
   double value;      ///< the default
   double min, max;
-  std::string text;  ///< for help
+  std::string text;       ///< for help
+  bool required = false;  ///< `value` is no default
 };
 
 /// A kind of calibration: the program calibrate_NAME, whose behaviour has the fields `sensor`, `into` and the settings.

@@ -148,6 +148,20 @@ TEST(Calibrate, WrongArgumentsAreNamedBeforeAnythingStarts) {
   EXPECT_NE(refusal({"camera", MRROC_SOURCE_DIR "/tasks/inspect/inspect.toml", "--into", into})
                 .find("the deployment has no robot beside a sensor of type 'camera' that does not move"),
             std::string::npos);
+  EXPECT_NE(refusal({"base", MRROC_SOURCE_DIR "/tasks/inspect/inspect.toml", "--into", into, "--x", "1"}).find("--y"),
+            std::string::npos)
+      << "the marker's place has no default";
+  // only calibration files are replaced
+  const std::string notes = folder.write("notes.txt", "precious").string();
+  std::string cell = text_of(kForceDemo);
+  replace(cell, "\"demo.xml\"", "'" MRROC_SOURCE_DIR "/sensors/force_torque/demo.xml'");
+  for (const std::string& target : {notes, folder.write("cell.toml", cell).string()})
+    EXPECT_NE(refusal({"load", target == notes ? kForceDemo : target, "--sensor", "wrist", "--into", target})
+                  .find("exists and is no calibration file"),
+              std::string::npos);
+  EXPECT_EQ(text_of(notes), "precious");
+  EXPECT_NE(refusal({"load", kForceDemo, "--sensor", "wrist", "--into", "/proc/a.toml"}).find("cannot be written"),
+            std::string::npos);
   EXPECT_NE(refusal({"base", MRROC_SOURCE_DIR "/tasks/inspect/inspect.toml", "--into", into, "--roll", "9"})
                 .find("expected a number from -6.28"),
             std::string::npos);
