@@ -216,6 +216,9 @@ def test_refusals(folder):
     assert "is not an MCAP file, expected a recording" in mrroc("trace", "cat", text, expected=2)[1]
     assert "cannot read the recording" in mrroc("trace", "cat", folder / "none", expected=2)[1]
     whole = run(PRESS, folder, "damaged")
+    signal, picture = "/arm/joint_states/position[0]", folder / "picture.png"
+    assert "--output" in mrroc("trace", "plot", whole, signal, "-o", picture, expected=2)[1] and not picture.exists()
+    assert "--from" in mrroc("trace", "plot", whole, signal, "--from", "8", "--to", "3", expected=2)[1]
     content = bytearray(whole.read_bytes())
     content[len(content) // 2] ^= 0xFF
     whole.write_bytes(content)
