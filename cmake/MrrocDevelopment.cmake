@@ -94,6 +94,8 @@ function(mrroc_describe_test name)
     set(speed slow)
   endif()
   set_tests_properties(${name} PROPERTIES TIMEOUT ${ARG_TIMEOUT} COST ${cost} PROCESSORS ${ARG_SLOTS} LABELS "${ARG_LABELS};${speed}")
+  # robot types that the user has added are not those of the tests
+  set_tests_properties(${name} PROPERTIES ENVIRONMENT_MODIFICATION "XDG_DATA_HOME=set:${CMAKE_BINARY_DIR}/tests/user_data")
   if(ARG_SERIAL)
     set_tests_properties(${name} PROPERTIES RESOURCE_LOCK real_time)
   endif()

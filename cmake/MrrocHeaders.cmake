@@ -9,6 +9,7 @@ set(MRROC_PUBLIC_HEADERS
   src/config/robot_files.hpp
   src/config/robot_parameters_file.hpp
   src/config/table.hpp
+  src/process/picture_memory.hpp
   vsp/driver.hpp
   vsp/noise.hpp
   vsp/parameters.hpp

@@ -7,8 +7,8 @@ namespace mrroc::calibration {
 /// A behaviour of the program calibrate_camera: brings a marker that the robot carries before `camera`, a camera that
 /// does not move and whose readings are in the camera frame, in postures around the present one, in which it is seen;
 /// estimates the camera's pose in the robot's base frame and its focal length (`fit_hand_eye`), returns, and writes
-/// them into the calibration file `into`, an absolute path, the pose in the world. Where the marker is on the flange
-/// need not be known. Nothing may be in the way between the two.
+/// them into the calibration file `into`, an absolute path, the pose in the world. The marker's pose on the flange
+/// need not be known. Nothing may block the view of it.
 struct CalibrateCamera {
   FixedText<kNameLength> sensor = {};
   FixedText<255> into = {};

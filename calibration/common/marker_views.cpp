@@ -18,7 +18,7 @@ constexpr int kPictures = 4;             // of a posture
 constexpr std::size_t kLeastViews = 6;
 
 /// The mean of several pictures at rest; nothing when the marker is not seen in all of them.
-std::optional<MarkerView> look(Robot& arm, Camera& eye) {
+std::optional<MarkerView> take_view(Robot& arm, Camera& eye) {
   Move({arm}, {}, Hold{arm, kSettling});
   MarkerView view;
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
@@ -49,11 +49,11 @@ MarkerViews::MarkerViews(ecp::Task& task, Robot& arm, Carried carried) : task_(t
 }
 
 /// The views of those postures from which the marker is seen.
-std::vector<MarkerView> MarkerViews::look_from(const std::vector<JointVector>& postures, Camera& eye, double speed) {
+std::vector<MarkerView> MarkerViews::take_views(const std::vector<JointVector>& postures, Camera& eye, double speed) {
   std::vector<MarkerView> views;
   for (const JointVector& posture : postures) {
     Move({arm_}, {}, JointLine{arm_, posture, speed});
-    if (const auto view = look(arm_, eye)) views.push_back(*view);
+    if (const auto view = take_view(arm_, eye)) views.push_back(*view);
   }
   return views;
 }
@@ -62,7 +62,7 @@ AgreedFit MarkerViews::estimate(const ViewOrder& order) {
   const auto found = cameras_.find(order.sensor);
   if (found == cameras_.end())
     throw NonFatalError(ErrorCode::invalid_argument,
-                        "'" + order.sensor + "' is no camera " +
+                        "'" + order.sensor + "' is not a camera " +
                             (carried_ == Carried::camera ? "of robot '" + arm_.name() + "'" : "that does not move"));
   Camera& eye = found->second;
   if (order.marker >= 0)
@@ -70,19 +70,24 @@ AgreedFit MarkerViews::estimate(const ViewOrder& order) {
   Move({arm_}, {}, Hold{arm_, 0.1});
   const RobotModel& model = *arm_.models().front();
   const JointVector start = arm_.state().desired_joints;
-  const std::optional<MarkerView> first = look(arm_, eye);
+  const std::optional<MarkerView> first = take_view(arm_, eye);
   if (!first)
     throw NonFatalError("camera '" + eye.name() +
                         "' does not see the marker clearly from the robot's present posture: move the robot there");
-  std::vector<MarkerView> views = look_from(first_postures(model, start, order.reach), eye, order.speed);
+  std::vector<MarkerView> views = take_views(first_postures(model, start, order.reach), eye, order.speed);
   views.push_back(*first);
   const HandEyeFit rough = closed_form_hand_eye(model, views, carried_);
-  views = look_from(view_postures(model, rough, start, static_cast<std::size_t>(order.views)), eye, order.speed);
+  views = take_views(view_postures(model, rough, start, static_cast<std::size_t>(order.views)), eye, order.speed);
   Move({arm_}, {}, JointLine{arm_, start, order.speed});
   if (views.size() < kLeastViews)
     throw NonFatalError("the marker was seen from " + std::to_string(views.size()) + " postures, expected at least " +
                         std::to_string(kLeastViews) + ": move the robot to a posture with more room around it");
-  return fit_of_agreeing_views(model, views, order.priors, carried_);
+  AgreedFit agreed = fit_of_agreeing_views(model, views, order.priors, carried_);
+  if (agreed.used.size() < kLeastViews)
+    throw NonFatalError(std::to_string(agreed.used.size()) +
+                        " views of the marker agree with each other, expected at least " + std::to_string(kLeastViews) +
+                        ": move the robot to a posture with more room around it");
+  return agreed;
 }
 
 double print_residuals(const AgreedFit& agreed) {

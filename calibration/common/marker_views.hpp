@@ -12,12 +12,12 @@ namespace mrroc::calibration {
 
 /// How a camera sees a marker while a robot carries one of the two.
 struct ViewOrder {
-  std::string sensor;  ///< the camera
-  int marker = -1;     ///< of its dictionary; -1: as deployed
-  double marker_size;  ///< m, beside `marker`; 0: as deployed
-  int views;           ///< postures, at most
-  double reach;        ///< rad or m of the last three joints, for the first estimate
-  double speed;        ///< as JointLine's
+  std::string sensor;      ///< the camera
+  int marker = -1;         ///< of its dictionary; -1: as deployed
+  double marker_size = 0;  ///< m, beside `marker`; 0: as deployed
+  int views = 20;          ///< postures, at most
+  double reach = 0.12;     ///< rad or m of the last three joints, for the first estimate
+  double speed = 0.5;      ///< as JointLine's
   HandEyePriors priors;
 };
 
@@ -29,12 +29,12 @@ class MarkerViews {
   MarkerViews(ecp::Task& task, Robot& arm, Carried carried = Carried::camera);
 
   /// Looks at the marker in postures around the present one, in which it is seen, returns, and estimates the poses of
-  /// camera and marker (`fit_of_agreeing_views`). Nothing may be in the way between the two.
+  /// camera and marker (`fit_of_agreeing_views`). Nothing may block the view of the marker.
   /// Throws NonFatalError: no such camera, or too few views.
   AgreedFit estimate(const ViewOrder& order);
 
  private:
-  std::vector<MarkerView> look_from(const std::vector<JointVector>& postures, Camera& eye, double speed);
+  std::vector<MarkerView> take_views(const std::vector<JointVector>& postures, Camera& eye, double speed);
 
   double deployed_size(const Camera& eye) const;
 
@@ -44,7 +44,7 @@ class MarkerViews {
   std::map<std::string, Camera> cameras_;
 };
 
-/// Prints the residual of each view, and which were left out; returns the largest residual, rad.
+/// Prints the residual of each view, and which were left out; returns the largest residual, rad. Task's thread.
 double print_residuals(const AgreedFit& agreed);
 
 }  // namespace mrroc::calibration

@@ -59,7 +59,7 @@ std::shared_ptr<const CameraPicture> CameraPictures::hardware_picture(std::strin
   if (shown != nullptr && !view.has_new()) return shown;
   sim::Picture pixels;
   const std::optional<Tick> tick = view.load(pixels);
-  if (!tick) return no_picture("the camera has made no reading yet");
+  if (!tick) return shown != nullptr ? shown : no_picture("the camera has made no reading yet");
   return shown = encoded(*tick, pixels);
 }
 

@@ -204,7 +204,7 @@ void Bridge::beat() {
     frames_.transforms.clear();
   }
   const std::int64_t now = system_ns();
-  hardware_cameras_.beat(now, [&](Tick tick) { return stamps_.of(tick, now); });
+  hardware_cameras_.publish_new(now, [&](Tick tick) { return stamps_.of(tick, now); });
   if (clock_ && newest_ != published_) {
     messages::rosgraph_msgs::Clock message;
     message.clock = stamps_.at(now);

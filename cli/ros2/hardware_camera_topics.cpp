@@ -6,7 +6,7 @@ HardwareCameraTopics::HardwareCameraTopics(ros2::Node& node, CameraViews& views,
   for (auto& [name, view] : views.hardware) topics_.push_back({view, {node, name_space, name}});
 }
 
-void HardwareCameraTopics::beat(std::int64_t now, const StampOf& stamp_of) {
+void HardwareCameraTopics::publish_new(std::int64_t now, const StampOf& stamp_of) {
   for (Topics& topics : topics_) {
     if (now < topics.next || !topics.view.has_new() || !topics.publisher.is_received()) continue;
     const std::optional<Tick> tick = topics.view.load(picture_);

@@ -20,7 +20,7 @@ class HardwareCameraTopics {
   HardwareCameraTopics(ros2::Node& node, CameraViews& views, const std::string& name_space);
 
   /// Publishes what is new. `now`: any clock, ns.
-  void beat(std::int64_t now, const StampOf& stamp_of);
+  void publish_new(std::int64_t now, const StampOf& stamp_of);
 
  private:
   struct Topics {

@@ -50,7 +50,8 @@ std::vector<std::string> suitable_sensors(const config::Deployment& deployment, 
 std::vector<std::string> suitable_robots(const config::Deployment& deployment, const CalibrationKind& kind) {
   std::vector<std::string> names;
   for (const config::RobotEntry& robot : deployment.robots)
-    if (!suitable_sensors(deployment, kind, robot.name).empty()) names.push_back(robot.name);
+    if ((robot.mount.empty() || !kind.fixed_base) && !suitable_sensors(deployment, kind, robot.name).empty())
+      names.push_back(robot.name);
   return names;
 }
 
@@ -137,10 +138,10 @@ std::vector<CalibrationKind> calibration_kinds() {
            sees_markers(), view_settings()},
           {"base", "CalibrateBase", "camera",
            "Pose of a robot's base in the world, from views of a marker whose place there is known", sees_markers(),
-           with_marker_pose(view_settings())},
+           with_marker_pose(view_settings()), true, true},
           {"camera", "CalibrateCamera", "camera",
            "Pose of a camera that does not move, and its focal length, from views of a marker that a robot carries",
-           sees_markers(), view_settings(), false}};
+           sees_markers(), view_settings(), false, true}};
 }
 
 CalibrationRun::CalibrationRun(CalibrationKind kind, const config::Deployment& deployment, CalibrationOrder order)

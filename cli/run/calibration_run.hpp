@@ -27,7 +27,8 @@ struct CalibrationKind {
   std::string text;                                ///< for help
   std::map<std::string, std::string> sensor_keys;  ///< keys that the sensor has during the calibration
   std::vector<CalibrationSetting> settings;
-  bool on_robot = true;  ///< whether the robot carries the sensor; else it does not move
+  bool on_robot = true;     ///< whether the robot carries the sensor; else it does not move
+  bool fixed_base = false;  ///< whether the robot may not be carried by another one
 };
 
 /// Every kind that exists.

@@ -106,15 +106,17 @@ void CameraSensor::effector_state(const RobotState& e) noexcept {
   if (e.synchronised) flange_ = e.pose * e.tool.inverse();
 }
 
-/// For the programs beside the run.
-void CameraSensor::show(Tick tick) noexcept {
-  if (shown_ == nullptr || !picture_.isContinuous()) return;
+/// For the programs beside the run; a picture that several readings use, once.
+void CameraSensor::show(const RawReading& r) noexcept {
+  if (shown_ == nullptr || r.values[0] == shown_number_ || !picture_.isContinuous()) return;
   const std::size_t bytes = picture_.total() * picture_.elemSize();
-  if (bytes == shown_->bytes()) shown_->store(tick, {picture_.data, bytes});
+  if (bytes != shown_->bytes()) return;
+  shown_->store(r.tick, {picture_.data, bytes});
+  shown_number_ = r.values[0];
 }
 
 void CameraSensor::aggregate(const RawReading& r, SensorReading& v) noexcept {
-  show(r.tick);
+  show(r);
   if (frame_.moves() && !flange_) {
     return report(v, ErrorClass::non_fatal, ErrorCode::sensor_not_ready,
                   "the camera's pose needs the pose of a synchronised robot");

@@ -42,7 +42,7 @@ class CameraSensor final : public VirtualSensor {
   void reconfigure(const Message& configuration) override;
 
  private:
-  void show(Tick tick) noexcept;
+  void show(const RawReading& r) noexcept;
   void detect(SensorReading& v);
   void look_for(config::SensorEntry entry);
   void check_view(const Detector& detector, const config::SensorEntry& entry) const;
@@ -55,6 +55,7 @@ class CameraSensor final : public VirtualSensor {
   std::unique_ptr<Detector> detector_;
   PictureSource* source_ = nullptr;
   process::PictureMemory* shown_ = nullptr;  ///< of a camera of hardware
+  double shown_number_ = -1;                 ///< of the picture in it
   cv::Rect part_;                            ///< of the picture, that is searched
   cv::Mat picture_;
   Intrinsics intrinsics_;

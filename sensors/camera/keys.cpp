@@ -47,6 +47,8 @@ std::optional<Pose> mount_of(const config::SensorEntry& entry, const std::string
 std::optional<Pose> mount_pose(const config::SensorEntry& entry) { return mount_of(entry, "position", "rotation"); }
 
 std::optional<Pose> calibrated_mount(const config::SensorEntry& entry) {
+  if (optional_numbers(entry, "mount_position", 3) && !optional_numbers(entry, "mount_rotation", 3))
+    refuse(entry, "mount_position", "alone", "the key 'mount_rotation' beside it");
   return mount_of(entry, "mount_position", "mount_rotation");
 }
 

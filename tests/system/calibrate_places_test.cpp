@@ -114,7 +114,8 @@ TEST(CalibrateBase, TwoArmsFindEachOther) {
   const Distance after = between(at_meeting(found), Pose::Identity());
   std::printf("%.3f mm, %.2f mrad before, %.3f mm, %.2f mrad after\n", 1000 * before.position, 1000 * before.rotation,
               1000 * after.position, 1000 * after.rotation);
-  EXPECT_LT(after.position, 0.001);
+  EXPECT_LT(after.position, 0.7 * before.position);
+  EXPECT_LT(after.rotation, 0.5 * before.rotation);
 }
 
 /// A camera on the floor and an arm that carries a marker above it.

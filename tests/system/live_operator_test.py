@@ -289,7 +289,7 @@ class LiveOperator(unittest.TestCase):
         self.expect_same_run_in_lockstep(code)
 
     def test_echo_shows_changes_until_the_end(self):
-        with LiveRun(self.folder, "--hold", "--clock", "lockstep") as run:
+        with LiveRun(self.folder, "--hold", "--clock", "paced") as run:  # lockstep has passed states before they are sent
             run.await_task("held")
             echo = subprocess.Popen([MRROC, "echo", "--json"], stdout=subprocess.PIPE, text=True)
             self.addCleanup(echo.stdout.close)

@@ -50,12 +50,12 @@ std::optional<Pose> read_measured_base(const Table& table, const RobotEntry& rob
   const auto position = table.optional_numbers("base_position", 3);
   const auto rotation = table.optional_numbers("base_rotation", 3);
   if (rotation && !position) table.fail("base_rotation", "alone", "base_position beside it");
+  if (position && !rotation) table.fail("base_position", "alone", "base_rotation beside it");
   if (!position) return std::nullopt;
   if (!robot.mount.empty())
     table.fail("base_position", "of a robot that " + in_quotes(robot.mount) + " carries: its base moves",
                "the key of a robot that is fixed in the world");
-  const std::vector<double> none(3, 0.0);
-  return pose_from_rpy(Eigen::Vector3d(position->data()), Eigen::Vector3d(rotation.value_or(none).data()));
+  return pose_from_rpy(Eigen::Vector3d(position->data()), Eigen::Vector3d(rotation->data()));
 }
 
 void read_force(const Table& table, RobotEntry& robot) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "config/entries/declared_keys.hpp"
 #include "config/resources.hpp"
@@ -50,13 +51,20 @@ void read_effector_state(const Table& type, SensorEntry& sensor) {
   sensor.wants_effector_state = sensor.wants_effector_state || number->second[0] != 0;
 }
 
+constexpr double kMostPixels = 8192;  // of a side of a picture
+
 /// After the type's own keys.
-void read_pictures(const Table& type, SensorEntry& sensor) {
+void read_pictures(const Table& type, const Table& table, SensorEntry& sensor) {
   sensor.gives_pictures = type.boolean_or("pictures", false);
   if (!sensor.gives_pictures) return;
-  for (const char* key : {"width", "height"})
-    if (const auto size = sensor.numbers.find(key); size == sensor.numbers.end() || size->second.size() != 1)
+  for (const char* key : {"width", "height"}) {
+    const auto size = sensor.numbers.find(key);
+    if (size == sensor.numbers.end() || size->second.size() != 1)
       type.fail("pictures", "true without the parameter " + in_quotes(key) + " of kind number", "it, in px");
+    const double pixels = size->second.front();
+    if (pixels != std::floor(pixels) || pixels < 1 || pixels > kMostPixels)
+      table.fail(key, number_text(pixels), "a whole number of px from 1 to " + number_text(kMostPixels));
+  }
 }
 
 }  // namespace
@@ -69,7 +77,7 @@ void read_sensor_type(const Table& table, SensorEntry& sensor) {
   read_declared_keys(type, table, kCommonKeys, sensor);
   read_effector_state(type, sensor);
   sensor.gives_wrench = type.boolean_or("wrench", false);
-  read_pictures(type, sensor);
+  read_pictures(type, table, sensor);
 }
 
 }  // namespace mrroc::config

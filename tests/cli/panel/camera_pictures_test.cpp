@@ -107,7 +107,8 @@ TEST(CameraPicturesTest, PicturesOfHardwareAreThoseOfItsNewestReading) {
   EXPECT_EQ(pictures.cameras()[1].reason, "");
   EXPECT_EQ(pictures.picture("lookout")->reason, "the camera has made no reading yet");
   for (Tick tick = 5; tick < 8; ++tick) {
-    const std::vector<std::uint8_t> pixels(memory.bytes(), static_cast<std::uint8_t>(30 * tick));
+    std::vector<std::uint8_t> pixels(memory.bytes());
+    for (std::size_t i = 0; i < pixels.size(); ++i) pixels[i] = static_cast<std::uint8_t>(i / 7 + tick);
     memory.store(tick, pixels);
     const auto picture = pictures.picture("lookout");
     EXPECT_EQ(picture->tick, tick);

@@ -133,6 +133,15 @@ TEST_F(SensorTypeTest, PicturesHaveASize) {
               "in px");
 }
 
+TEST_F(SensorTypeTest, SidesOfPicturesAreWholeNumbers) {
+  const std::string type =
+      "pictures = true\n[parameters.width]\nkind = 'number'\ndefault = 640\n[parameters.height]\nkind = 'number'\n"
+      "default = 480\n";
+  for (const char* wrong : {"0", "-1", "640.5", "1e10"})
+    EXPECT_NE(message(type, std::string("height = ") + wrong).find("d.toml:1: height: "), std::string::npos)
+        << message(type, std::string("height = ") + wrong);
+}
+
 TEST_F(SensorTypeTest, ChannelsAreDeclared) {
   const std::string two = "[[channels]]\nname = 'x'\nunit = 'm'\n[[channels]]\nname = 'y'\nunit = 'm'\n";
   const SensorEntry sensor = read(two + "[[raw_channels]]\nname = 'echo'\nunit = 's'\n");
