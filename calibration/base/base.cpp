@@ -18,13 +18,7 @@ class BaseCalibration : public ecp::Task {
 
   void calibrate(const CalibrateBase& order) {
     require_fixed_base(*this, arm);
-    const AgreedFit agreed = views.estimate({.sensor = std::string(order.sensor.view()),
-                                             .marker = order.marker,
-                                             .marker_size = order.marker_size,
-                                             .views = order.views,
-                                             .reach = order.reach,
-                                             .speed = order.speed,
-                                             .priors = arm_priors(order.joint_deviation, order.arm_deviation)});
+    const AgreedFit agreed = views.estimate(view_order(order));
     const HandEyeFit& fit = agreed.fit;
     const double residual = print_residuals(agreed);
     const Pose marker = pose_from_rpy({order.x, order.y, order.z}, {order.roll, order.pitch, order.yaw});
@@ -44,8 +38,7 @@ class BaseCalibration : public ecp::Task {
     const std::vector<Bound> bounds{{"residual", "rad", residual, order.residual_bound},
                                     {"deviation of the position", "m", deviation, 0.003},
                                     {"deviation of the rotation", "rad", fit.marker_rotation_deviation, 0.004},
-                                    {"distance from the deployment's base", "m", distance, order.distance_bound},
-                                    {"angle to the deployment's base", "rad", angle, order.angle_bound}};
+                                    {"distance from the deployment's base", "m", distance, order.distance_bound}};
     judge(bounds);
     write_calibration(std::string(order.into.view()), "base", "robot '" + arm.name() + "'", bounds,
                       "[robots." + arm.name() + "]\nbase_position = " + toml_list(position) +

@@ -15,15 +15,13 @@ struct CalibrateBase {
   int marker = -1;                      ///< of the camera's dictionary; -1: as deployed
   double marker_size = 0;               ///< m, beside `marker`; 0: as deployed
   int views = 20;
-  double reach = 0.12;              ///< rad or m of the last three joints, for the first estimate
   double speed = 0.5;               ///< as JointLine's
   double joint_deviation = 0.0003;  ///< rad or m: HandEyePriors::joint
   double arm_deviation = 0.0001;    ///< m: HandEyePriors::position; of its rotation, twice as many rad
   double residual_bound = 0.002;    ///< rad: largest residual of a view that is accepted
   double distance_bound = 0.1;      ///< m: largest distance from the deployment's base that is accepted
-  double angle_bound = 0.1;         ///< rad: the same of the angle
 };
-MRROC_MESSAGE(CalibrateBase, sensor, into, x, y, z, roll, pitch, yaw, marker, marker_size, views, reach, speed,
-              joint_deviation, arm_deviation, residual_bound, distance_bound, angle_bound)
+MRROC_MESSAGE(CalibrateBase, sensor, into, x, y, z, roll, pitch, yaw, marker, marker_size, views, speed,
+              joint_deviation, arm_deviation, residual_bound, distance_bound)
 
 }  // namespace mrroc::calibration

@@ -21,6 +21,19 @@ struct ViewOrder {
   HandEyePriors priors;
 };
 
+/// That of a behaviour with these fields; one without `reach` has the default.
+template <class Order>
+ViewOrder view_order(const Order& order) {
+  ViewOrder views{.sensor = std::string(order.sensor.view()),
+                  .marker = order.marker,
+                  .marker_size = order.marker_size,
+                  .views = order.views,
+                  .speed = order.speed,
+                  .priors = arm_priors(order.joint_deviation, order.arm_deviation)};
+  if constexpr (requires { order.reach; }) views.reach = order.reach;
+  return views;
+}
+
 /// The cameras on the flange of a robot, or those that do not move while the robot carries a marker; their readings are
 /// in the camera frame. Task's thread.
 class MarkerViews {

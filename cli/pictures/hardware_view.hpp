@@ -23,7 +23,7 @@ class HardwareView {
   const vsp::Intrinsics& intrinsics() const noexcept { return intrinsics_; }
   /// Whether there is another picture than the one that `load` has returned.
   bool has_new() const noexcept { return memory_.sequence() != loaded_; }
-  /// Copies the newest picture and returns its tick; nothing: there is none yet.
+  /// Copies the newest picture and returns its tick; nothing: the camera has made no reading yet.
   std::optional<Tick> load(sim::Picture& picture);
 
  private:

@@ -6,10 +6,10 @@
 #include <string>
 
 #include "cli/operator/socket/side_program.hpp"
-#include "cli/ros2/camera_topics.hpp"
+#include "cli/ros2/cameras/camera_topics.hpp"
+#include "cli/ros2/cameras/hardware_camera_topics.hpp"
 #include "cli/ros2/diagnostics.hpp"
 #include "cli/ros2/follow_action.hpp"
-#include "cli/ros2/hardware_camera_topics.hpp"
 #include "cli/ros2/operator_requests.hpp"
 #include "cli/ros2/robot_topics.hpp"
 #include "cli/ros2/stamps.hpp"

@@ -105,7 +105,9 @@ std::vector<CalibrationSetting> view_settings() {
           {"residual_bound", false, 0.002, 1e-5, 0.1, "rad: largest residual of a view that is accepted"}};
 }
 
+/// Of `base`: a message has room for 16 fields.
 std::vector<CalibrationSetting> with_marker_pose(std::vector<CalibrationSetting> settings) {
+  std::erase_if(settings, [](const CalibrationSetting& setting) { return setting.name == "reach"; });
   for (const char* name : {"x", "y", "z"})
     settings.push_back({name, false, 0, -1000, 1000, "m: of the marker's middle in the world", true});
   for (const char* name : {"roll", "pitch", "yaw"})
@@ -113,8 +115,6 @@ std::vector<CalibrationSetting> with_marker_pose(std::vector<CalibrationSetting>
                         "rad: of its axes, about the fixed axes x, y, z; its z points out of it, its y up"});
   settings.push_back(
       {"distance_bound", false, 0.1, 0, 1000, "m: largest distance from the deployment's base that is accepted"});
-  settings.push_back(
-      {"angle_bound", false, 0.1, 0, M_PI, "rad: largest angle to the deployment's base that is accepted"});
   return settings;
 }
 

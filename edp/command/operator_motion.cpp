@@ -135,13 +135,11 @@ bool OperatorMotion::accept(const RobotCommand& command, std::uint64_t number, T
 
 ErrorReport OperatorMotion::refusal(const RobotCommand& command, Tick now) const noexcept {
   const auto recent = [&](const std::optional<Tick>& tick) { return tick && now < *tick + ticks(kTaskIdle); };
-  const bool paused = command.choice == kTaskPaused && (is_velocity(command) || is_travel(command));
+  const bool moves = is_velocity(command) || is_travel(command);
   if (recent(last_task_command_)) return busy("the task commands the robot");
-  if (recent(last_task_hold_) && !paused && command.kind != CommandKind::hold)
-    return busy(
-        is_velocity(command) || is_travel(command)
-            ? "the task holds the robot; it may be moved while the task is paused"
-            : "the task holds the robot, as it does while it is paused: only jog, step and go are possible then");
+  if (recent(last_task_hold_) && !(moves && command.choice == kTaskPaused) && command.kind != CommandKind::hold)
+    return busy(moves ? "the task holds the robot; it may be moved while the task is paused"
+                      : "the task holds the robot, also while paused: only jog, step and go are possible then");
   if (command.kind == CommandKind::hold || command.kind == CommandKind::set_outputs) return {};
   if (phase_ == Phase::change) return busy("a change of the robot is under way");
   if (phase_ == Phase::travel) return busy("the robot travels to its goal");

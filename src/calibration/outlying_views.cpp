@@ -63,7 +63,8 @@ std::optional<std::vector<double>> residuals_of_few(const RobotModel& model, con
   return std::nullopt;
 }
 
-/// The residuals of all views with the closed form of few for which their median is least; empty: there is none.
+/// The residuals of all views with the closed form of few for which their median is least; empty: every closed form has
+/// failed.
 std::vector<double> least_median_residuals(const RobotModel& model, const std::vector<MarkerView>& views,
                                            Carried carried) {
   std::mt19937 random(kSeed);

@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "cli/ros2/camera_publisher.hpp"
+#include "cli/ros2/cameras/camera_publisher.hpp"
 
 namespace mrroc::cli::camera_info_test {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "cli/pictures/camera_views.hpp"
 #include "cli/pictures/picture_drawer.hpp"
-#include "cli/ros2/camera_publisher.hpp"
+#include "cli/ros2/cameras/camera_publisher.hpp"
 #include "links/ros2/publisher.hpp"
 #include "messages/tf2_msgs/tf_message.hpp"
 

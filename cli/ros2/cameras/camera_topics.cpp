@@ -1,4 +1,4 @@
-#include "cli/ros2/camera_topics.hpp"
+#include "cli/ros2/cameras/camera_topics.hpp"
 
 #include <algorithm>
 #include <chrono>

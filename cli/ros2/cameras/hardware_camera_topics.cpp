@@ -1,4 +1,4 @@
-#include "cli/ros2/hardware_camera_topics.hpp"
+#include "cli/ros2/cameras/hardware_camera_topics.hpp"
 
 namespace mrroc::cli {
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "cli/pictures/camera_views.hpp"
-#include "cli/ros2/camera_publisher.hpp"
+#include "cli/ros2/cameras/camera_publisher.hpp"
 
 namespace mrroc::cli {
 

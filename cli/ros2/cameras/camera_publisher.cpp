@@ -1,4 +1,4 @@
-#include "cli/ros2/camera_publisher.hpp"
+#include "cli/ros2/cameras/camera_publisher.hpp"
 
 #include <utility>
 
