@@ -4,13 +4,17 @@
 
 #include <cmath>
 
+#include "clock/wall/realtime.hpp"
+
 namespace mrroc::edp {
 namespace {
 
 void raise_priority() noexcept {
   int policy = 0;
   sched_param parameters{};
-  if (pthread_getschedparam(pthread_self(), &policy, &parameters) != 0 || policy != SCHED_FIFO) return;
+  if (pthread_getschedparam(pthread_self(), &policy, &parameters) != 0) return;
+  if (policy == SCHED_OTHER) clock::take_short_slice();
+  if (policy != SCHED_FIFO) return;
   if (parameters.sched_priority >= sched_get_priority_max(SCHED_FIFO)) return;
   ++parameters.sched_priority;
   pthread_setschedparam(pthread_self(), policy, &parameters);  // on failure the inherited priority stays

@@ -14,8 +14,9 @@ namespace mrroc::edp {
 /// Real time: the servo's own thread, ticking from construction to destruction on the deployment's grid, or beside it
 /// with the packages of a robot that keeps the time (RobotTicker). When a tick puts out reports it wakes the comms
 /// thread with `Clock::notify`. It inherits the scheduling class of the thread that makes it; under SCHED_FIFO it takes
-/// the next higher priority, so that no comms thread of the process delays it. Ticks whose time has passed are skipped
-/// on drives that continue on their own; drives that wait get all of them, late.
+/// the next higher priority, so that no comms thread of the process delays it, otherwise a short time slice, so that
+/// threads with a longer one give way when it wakes. Ticks whose time has passed are skipped on drives that continue on
+/// their own; drives that wait get all of them, late.
 ///
 /// The destructor stops the robot, switches the drives off, and returns when that is done (a stop's duration).
 class ServoThread {

@@ -3,8 +3,11 @@
 #include <sched.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 
 namespace mrroc::clock {
@@ -56,6 +59,22 @@ std::string refused_realtime(int priority) {
   else
     ::munlockall();
   return refused;
+}
+
+void take_short_slice() noexcept {
+  // glibc before 2.41 has neither the call nor its structure: sched_setattr(2)
+  struct {
+    std::uint32_t size = sizeof(*this);
+    std::uint32_t policy = SCHED_OTHER;
+    std::uint64_t flags = 0;
+    std::int32_t nice = 0;
+    std::uint32_t priority = 0;
+    std::uint64_t runtime = 100'000;  // ns
+    std::uint64_t deadline = 0;
+    std::uint64_t period = 0;
+  } attributes;
+  attributes.nice = ::getpriority(PRIO_PROCESS, 0);
+  ::syscall(SYS_sched_setattr, 0, &attributes, 0);
 }
 
 int pin_to_one_cpu() noexcept {

@@ -5,9 +5,12 @@
 #include <sched.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <vector>
 
 #include "clock/child.hpp"
@@ -128,6 +131,20 @@ TEST(Realtime, MemoryIsNotLockedBelowALimitThatLaterMemoryWouldMeet) {
     });
     EXPECT_TRUE(child.join()) << wanted;
   }
+}
+
+TEST(Realtime, AShortSliceNeedsNoPrivilegeAndKeepsClassAndNiceness) {
+  Child child([] {
+    test::drop_capabilities();
+    if (::setpriority(PRIO_PROCESS, 0, 3) != 0) ::_exit(1);
+    take_short_slice();
+    std::array<std::uint32_t, 12> attributes{};  // sched_getattr(2): size, policy, flags, nice, priority, runtime ...
+    if (::syscall(SYS_sched_getattr, 0, attributes.data(), sizeof attributes, 0) != 0) ::_exit(2);
+    if (attributes[1] != SCHED_OTHER || attributes[4] != 3) ::_exit(3);
+    const std::uint32_t slice = attributes[6];
+    if (slice != 100'000 && slice != 0) ::_exit(4);  // 0: of a kernel that does not know slices
+  });
+  EXPECT_TRUE(child.join());
 }
 
 TEST(Realtime, PinnedProcessesAndTheirChildrenHaveOneCpu) {
