@@ -17,6 +17,7 @@
 #include "edp/servo/servo.hpp"
 #include "edp/servo/servo_thread.hpp"
 #include "kinematics/loaded_model.hpp"
+#include "kinematics/measured_model.hpp"
 #include "links/exchange/robot_responder.hpp"
 #include "links/telemetry/state_feed.hpp"
 #include "links/telemetry/telemetry_publisher.hpp"
@@ -36,7 +37,8 @@ class Shell {
   Shell(process::Process& process, const ModelFactory& factory)
       : process_(process),
         place_(config::robot_of_process(process.deployment(), process.name())),
-        models_(load_models(factory)),
+        machine_models_(load_models(factory)),
+        models_(kinematics::with_measured(machine_models_, place_.entry.measured_arm)),
         model_set_(models_),
         hardware_(open_hardware()),
         force_sensor_(open_force_sensor()),
@@ -108,7 +110,7 @@ class Shell {
   std::unique_ptr<Hardware> open_hardware() {
     const config::RobotEntry& robot = place_.entry;
     std::unique_ptr<Hardware> hardware =
-        load_driver({robot, *models_.front(), process_.clock().period(), process_.clock().simulated(),
+        load_driver({robot, *machine_models_.front(), process_.clock().period(), process_.clock().simulated(),
                      robot.driver.world ? &world() : nullptr, place_.index});
     if (auto faults = process_.faults().of(process_.name(), process_.clock()); !faults.empty())
       hardware =
@@ -225,7 +227,9 @@ class Shell {
 
   process::Process& process_;
   config::RobotPlace place_;
-  RobotModels models_;
+  RobotModels
+      machine_models_;  ///< as the type describes them: what drivers turn readings of controllers into shafts by
+  RobotModels models_;  ///< as measured
   ModelSet model_set_;
   std::optional<world::MappedWorld> world_;
   std::unique_ptr<Hardware> hardware_;

@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <optional>
 
-#include "calibration/view_postures.hpp"
 #include "geometry/rigid_motion.hpp"
 
 namespace mrroc::calibration {
@@ -49,7 +48,7 @@ MarkerViews::MarkerViews(ecp::Task& task, Robot& arm, Carried carried) : task_(t
 }
 
 /// The views of those postures from which the marker is seen.
-std::vector<MarkerView> MarkerViews::take_views(const std::vector<JointVector>& postures, Camera& eye, double speed) {
+std::vector<MarkerView> MarkerViews::seen_from(const std::vector<JointVector>& postures, Camera& eye, double speed) {
   std::vector<MarkerView> views;
   for (const JointVector& posture : postures) {
     Move({arm_}, {}, JointLine{arm_, posture, speed});
@@ -58,7 +57,7 @@ std::vector<MarkerView> MarkerViews::take_views(const std::vector<JointVector>& 
   return views;
 }
 
-AgreedFit MarkerViews::estimate(const ViewOrder& order) {
+std::vector<MarkerView> MarkerViews::take(const ViewOrder& order) {
   const auto found = cameras_.find(order.sensor);
   if (found == cameras_.end())
     throw NonFatalError(ErrorCode::invalid_argument,
@@ -74,15 +73,25 @@ AgreedFit MarkerViews::estimate(const ViewOrder& order) {
   if (!first)
     throw NonFatalError("camera '" + eye.name() +
                         "' does not see the marker clearly from the robot's present posture: move the robot there");
-  std::vector<MarkerView> views = take_views(first_postures(model, start, order.reach), eye, order.speed);
+  std::vector<MarkerView> views = seen_from(first_postures(model, start, order.reach), eye, order.speed);
   views.push_back(*first);
   const HandEyeFit rough = closed_form_hand_eye(model, views, carried_);
-  views = take_views(view_postures(model, rough, start, static_cast<std::size_t>(order.views)), eye, order.speed);
+  const auto count = static_cast<std::size_t>(order.views);
+  views = seen_from(view_postures(model, rough, start, count, order.cap), eye, order.speed);
   Move({arm_}, {}, JointLine{arm_, start, order.speed});
   if (views.size() < kLeastViews)
     throw NonFatalError("the marker was seen from " + std::to_string(views.size()) + " postures, expected at least " +
                         std::to_string(kLeastViews) + ": move the robot to a posture with more room around it");
-  AgreedFit agreed = fit_of_agreeing_views(model, views, order.priors, carried_);
+  return views;
+}
+
+AgreedFit MarkerViews::estimate(const ViewOrder& order) {
+  return agreed_fit(*arm_.models().front(), take(order), order.priors, carried_);
+}
+
+AgreedFit agreed_fit(const RobotModel& model, const std::vector<MarkerView>& views, const HandEyePriors& priors,
+                     Carried carried) {
+  AgreedFit agreed = fit_of_agreeing_views(model, views, priors, carried);
   if (agreed.used.size() < kLeastViews)
     throw NonFatalError(std::to_string(agreed.used.size()) +
                         " views of the marker agree with each other, expected at least " + std::to_string(kLeastViews) +

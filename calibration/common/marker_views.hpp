@@ -6,6 +6,7 @@
 
 #include "calibration/common/any_robot.hpp"
 #include "calibration/outlying_views.hpp"
+#include "calibration/view_postures.hpp"
 #include "mrroc/sensors/camera.hpp"
 
 namespace mrroc::calibration {
@@ -19,6 +20,7 @@ struct ViewOrder {
   double reach = 0.12;     ///< rad or m of the last three joints, for the first estimate
   double speed = 0.5;      ///< as JointLine's
   HandEyePriors priors;
+  ViewCap cap = {};
 };
 
 /// That of a behaviour with these fields; one without `reach` has the default.
@@ -41,13 +43,15 @@ class MarkerViews {
   /// While the task is being built. Throws as `Camera`.
   MarkerViews(ecp::Task& task, Robot& arm, Carried carried = Carried::camera);
 
-  /// Looks at the marker in postures around the present one, in which it is seen, returns, and estimates the poses of
-  /// camera and marker (`fit_of_agreeing_views`). Nothing may block the view of the marker.
-  /// Throws NonFatalError: no such camera, or too few views.
+  /// Looks at the marker in postures around the present one, in which it is seen, and returns. Nothing may block the
+  /// view of the marker. Throws NonFatalError: no such camera, or too few views.
+  std::vector<MarkerView> take(const ViewOrder& order);
+
+  /// Takes views and estimates the poses of camera and marker from them (`agreed_fit`). Throws as both.
   AgreedFit estimate(const ViewOrder& order);
 
  private:
-  std::vector<MarkerView> take_views(const std::vector<JointVector>& postures, Camera& eye, double speed);
+  std::vector<MarkerView> seen_from(const std::vector<JointVector>& postures, Camera& eye, double speed);
 
   double deployed_size(const Camera& eye) const;
 
@@ -56,6 +60,10 @@ class MarkerViews {
   Carried carried_;
   std::map<std::string, Camera> cameras_;
 };
+
+/// `fit_of_agreeing_views`. Throws also NonFatalError when too few views agree. Any thread.
+AgreedFit agreed_fit(const RobotModel& model, const std::vector<MarkerView>& views, const HandEyePriors& priors,
+                     Carried carried = Carried::camera);
 
 /// Prints the residual of each view, and which were left out; returns the largest residual, rad. Task's thread.
 double print_residuals(const AgreedFit& agreed);

@@ -118,6 +118,17 @@ std::vector<CalibrationSetting> with_marker_pose(std::vector<CalibrationSetting>
   return settings;
 }
 
+/// Of `kinematics`: more views, and the arm's own deviations.
+std::vector<CalibrationSetting> of_an_arm(std::vector<CalibrationSetting> settings) {
+  for (CalibrationSetting& setting : settings) {
+    if (setting.name == "views") setting.value = 60;
+    if (setting.name == "joint_deviation") setting.value = 0.001;
+  }
+  settings.push_back({"link_deviation", false, 0.0003, 0, 0.05,
+                      "m, and as many rad: expected error of each link; 0: find the zeros of the joints only"});
+  return settings;
+}
+
 std::map<std::string, std::string> sees_markers() { return {{"frame", "camera"}, {"detect", "marker"}}; }
 
 }  // namespace
@@ -139,6 +150,9 @@ std::vector<CalibrationKind> calibration_kinds() {
           {"base", "CalibrateBase", "camera",
            "Pose of a robot's base in the world, from views of a marker whose place there is known", sees_markers(),
            with_marker_pose(view_settings()), true, true},
+          {"kinematics", "CalibrateKinematics", "camera",
+           "Zeros of a robot's joints and places of its axes, from views of a marker that does not move",
+           sees_markers(), of_an_arm(view_settings())},
           {"camera", "CalibrateCamera", "camera",
            "Pose of a camera that does not move, and its focal length, from views of a marker that a robot carries",
            sees_markers(), view_settings(), false, true}};

@@ -7,6 +7,7 @@
 
 #include "mrroc/black_box.hpp"
 #include "mrroc/load.hpp"
+#include "mrroc/measured_arm.hpp"
 #include "mrroc/robot_link.hpp"
 #include "mrroc/sensor_link.hpp"
 #include "mrroc/types.hpp"
@@ -46,6 +47,8 @@ class Task {
   }
   /// The load on the flange of robot `name`, by the deployment; none: its mass is 0.
   virtual Load robot_load(const std::string& /*name*/) const { return {}; }
+  /// How robot `name` differs from the model of its type, by the deployment; nothing: not measured.
+  virtual MeasuredArm measured_arm(const std::string& /*name*/) const { return {}; }
   /// The link to robot `name` of type `type` (its EDP or ECP). Throws NonFatalError(invalid_argument) when the
   /// deployment has no such robot, has it as another type, or the task is already running and has no link to it: links
   /// are opened while the task object is built, and live as long as the task. Later calls return the same link.

@@ -2,10 +2,12 @@
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <unsupported/Eigen/NonLinearOptimization>
 
 #include "geometry/rigid_motion.hpp"
+#include "kinematics/measured_chain.hpp"
 #include "mrroc/errors.hpp"
 
 namespace mrroc::calibration {
@@ -55,6 +57,25 @@ Pose moved_part(const RobotModel& model, const JointVector& joints, Carried carr
   return carried == Carried::camera ? flange : flange.inverse();
 }
 
+/// The arm as estimated.
+class EstimatedArm {
+ public:
+  EstimatedArm(const RobotModel& model, const HandEyeFit& fit) : model_(model), fit_(fit) {
+    if (!fit.links.empty()) chain_ = kinematics::measured_chain(model, fit.links);
+  }
+  /// F where the encoders say `joints`.
+  Pose moved_part(const JointVector& joints) const {
+    const JointVector found = joints + fit_.joints;
+    const Pose flange = chain_ ? chain_->flange(found) : model_.flange(found);
+    return fit_.carried == Carried::camera ? flange : flange.inverse();
+  }
+
+ private:
+  const RobotModel& model_;
+  const HandEyeFit& fit_;
+  std::optional<kinematics::SerialChain> chain_;
+};
+
 using Corners = Eigen::Matrix<double, 2, 4>;
 
 /// Directions of the corners of a marker of this side at `marker` in the camera frame.
@@ -92,7 +113,7 @@ Matrix8 weight_of(const MarkerView& view, const HandEyePriors& priors, Carried c
   return covariance.llt().matrixL().solve(Matrix8::Identity());
 }
 
-/// Parameters: X and Z as increments (translation, rotation vector) of their starts, e, k1, then d.
+/// Parameters: X and Z as increments (translation, rotation vector) of their starts, e, k1, d, then the links.
 struct Problem {
   using Scalar = double;
   using InputType = VectorXd;
@@ -108,8 +129,9 @@ struct Problem {
   std::vector<Matrix8> weights;  // of each view: difference^T W^T W difference
 
   int joints() const { return model->joint_count(); }
-  int inputs() const { return 14 + joints(); }
-  int values() const { return 8 * static_cast<int>(views->size()) + 2 + joints(); }
+  int links() const { return priors.estimate_links() ? 6 * joints() : 0; }
+  int inputs() const { return 14 + joints() + links(); }
+  int values() const { return 8 * static_cast<int>(views->size()) + 2 + joints() + links(); }
 
   static Pose moved(const Pose& start, const VectorXd& x, Index from) {
     Pose pose = start;
@@ -124,25 +146,32 @@ struct Problem {
     fit.marker = moved(marker, x, 6);
     fit.focal = x[12];
     fit.k1 = x[13];
-    fit.joints = x.tail(joints());
+    fit.joints = x.segment(14, joints());
+    for (Index from = 14 + joints(); from < x.size(); from += 6) fit.links.emplace_back(x.segment<6>(from));
     return fit;
   }
-  static Corners difference(const RobotModel& robot, const HandEyeFit& fit, const MarkerView& view) {
-    Corners seen = directions(
-        (moved_part(robot, view.joints + fit.joints, fit.carried) * fit.camera).inverse() * fit.marker, view.side);
+  static Corners difference(const EstimatedArm& arm, const HandEyeFit& fit, const MarkerView& view) {
+    Corners seen = directions((arm.moved_part(view.joints) * fit.camera).inverse() * fit.marker, view.side);
     for (int i = 0; i < 4; ++i) seen.col(i) *= (1 + fit.focal) * (1 + fit.k1 * seen.col(i).squaredNorm());
     return seen - directions(view.marker, view.side);
   }
   int operator()(const VectorXd& x, VectorXd& residuals) const {
     const HandEyeFit fit = at(x);
+    const EstimatedArm arm(*model, fit);
     Index row = 0;
     for (const MarkerView& view : *views) {
-      residuals.segment<8>(row) = weights[static_cast<std::size_t>(row / 8)] * difference(*model, fit, view).reshaped();
+      residuals.segment<8>(row) = weights[static_cast<std::size_t>(row / 8)] * difference(arm, fit, view).reshaped();
       row += 8;
     }
     residuals[row] = fit.focal / priors.focal;
     residuals[row + 1] = fit.k1 / priors.k1;
-    residuals.tail(joints()) = fit.joints / priors.joint;
+    residuals.segment(row + 2, joints()) = fit.joints / priors.joint;
+    row += 2 + joints();
+    for (const Twist& link : fit.links) {
+      residuals.segment<3>(row) = link.head<3>() / priors.link_position;
+      residuals.segment<3>(row + 3) = link.tail<3>() / priors.link_rotation;
+      row += 6;
+    }
     return 0;
   }
   /// By central differences.
@@ -231,6 +260,7 @@ HandEyeFit fit_hand_eye(const RobotModel& model, const std::vector<MarkerView>& 
   fit.position_deviation = worst(covariance.block<3, 3>(0, 0));
   fit.rotation_deviation = worst(covariance.block<3, 3>(3, 3));
   fit.focal_deviation = std::sqrt(covariance(12, 12));
+  fit.joint_deviation = std::sqrt(covariance.diagonal().segment(14, problem.joints()).maxCoeff());
   fit.marker_position_deviation = worst(covariance.block<3, 3>(6, 6));
   fit.marker_rotation_deviation = worst(covariance.block<3, 3>(9, 9));
   for (const MarkerView& view : views) fit.residuals.push_back(residual_of(model, fit, view));
@@ -238,7 +268,7 @@ HandEyeFit fit_hand_eye(const RobotModel& model, const std::vector<MarkerView>& 
 }
 
 double residual_of(const RobotModel& model, const HandEyeFit& fit, const MarkerView& view) {
-  return std::sqrt(Problem::difference(model, fit, view).squaredNorm() / 4);
+  return std::sqrt(Problem::difference(EstimatedArm(model, fit), fit, view).squaredNorm() / 4);
 }
 
 }  // namespace mrroc::calibration

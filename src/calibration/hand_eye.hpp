@@ -24,6 +24,10 @@ struct HandEyePriors {
   double position = 1e-4;  ///< m: of the flange, beyond the joints' zeros, from posture to posture
   double rotation = 2e-4;  ///< rad
   double corner = 5e-5;    ///< rad: of a corner in the picture
+  /// Of the links, m and rad: of each coordinate of MeasuredArm::links. Both 0: the links are those of the model.
+  double link_position = 0, link_rotation = 0;
+
+  bool estimate_links() const noexcept { return link_position > 0 && link_rotation > 0; }
 };
 
 /// Those of an arm whose joints' zeros have this deviation (rad or m), and its flange `arm` (m; twice as many rad).
@@ -37,9 +41,11 @@ struct HandEyeFit {
   double focal = 0;                ///< e: the true focal length is (1 + e) times that of the readings
   double k1 = 0;                   ///< of the lens, beyond that of the readings
   JointVector joints;              ///< d: joints are the encoders' readings plus d
+  std::vector<Twist> links;        ///< of each axis, as MeasuredArm::links; empty: not estimated
   double position_deviation = 0;   ///< standard deviation of X in its worst direction, m
   double rotation_deviation = 0;   ///< rad
   double focal_deviation = 0;
+  double joint_deviation = 0;            ///< of the element of d that the views say least about, rad or m
   double marker_position_deviation = 0;  ///< of Z, as of X
   double marker_rotation_deviation = 0;
   std::vector<double> residuals;  ///< of each view: root mean square of its corners' directions, rad
@@ -62,10 +68,14 @@ HandEyeFit closed_form_hand_eye(const RobotModel& model, const std::vector<Marke
 /// from the closed form by Levenberg-Marquardt (Eigen's port of MINPACK). The covariance of the four corners of a view
 /// is that of the picture and of the flange's pose: corner^2 I + J diag(position^2, rotation^2) J^T, J their derivative
 /// by the marker's pose in the camera frame. So an arm that is not exact costs no accuracy of depth and tilt. An error
-/// of the focal length, left out, would appear as one of the depth. The covariance of the result is that of these
-/// weights, times the mean square of the weighed differences, at least kLeastVariance.
+/// of the focal length, left out, would appear as one of the depth. With `estimate_links` F is that of the measured
+/// chain
+/// (`kinematics::measured_chain`), whose links are estimated in the same manner; what no view shows stays 0. The
+/// covariance of the result is that of these weights, times the mean square of the weighed differences, at least
+/// kLeastVariance.
 ///
-/// Throws as `closed_form_hand_eye`; NonFatalError(invalid_argument) when the iteration does not converge.
+/// Throws as `closed_form_hand_eye`; NonFatalError(invalid_argument) when the iteration does not converge;
+/// SystemError(configuration): links of a model that is no chain of its joints.
 HandEyeFit fit_hand_eye(const RobotModel& model, const std::vector<MarkerView>& views, const HandEyePriors& priors = {},
                         Carried carried = Carried::camera);
 

@@ -9,21 +9,20 @@ namespace mrroc::calibration {
 
 namespace {
 
-constexpr double kTilt = 0.45, kTurn = 0.5, kFarthest = 1.5;  // rad; rad or m
-constexpr double kOffCentre = 0.1;                            // of the distance
-constexpr int kCandidates = 200;
+constexpr double kOffCentre = 0.1;  // of the distance
+constexpr int kCandidates = 400;
 constexpr double kGoldenAngle = 2.399963;  // rad: directions that fill a disc evenly
 
 /// The camera frame in the marker frame, candidate k: view 0 is that of `first`.
-Pose view(const Pose& first, int k) {
+Pose view(const Pose& first, const ViewCap& cap, int k) {
   const double part = std::sqrt((k % 25 + 0.5) / 25), direction = kGoldenAngle * k;
-  const double distance = first.translation().norm() * (1.0 + 0.15 * (k % 5));
+  const double distance = first.translation().norm() * (cap.nearest + (cap.farthest - cap.nearest) / 4 * (k % 5));
   const Eigen::Vector3d axis(std::cos(direction), std::sin(direction), 0);  // across the view
-  const double turn = kTurn * (k % 3 - 1);
+  const double turn = cap.turn * (k % 3 - 1);
   // about the marker's middle: the camera stays turned to it
   Pose moved = first.inverse();  // the marker in the camera frame
   moved = Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ()) * moved;
-  const Eigen::Matrix3d tilted = Eigen::AngleAxisd(kTilt * part, axis).toRotationMatrix() * moved.linear();
+  const Eigen::Matrix3d tilted = Eigen::AngleAxisd(cap.tilt * part, axis).toRotationMatrix() * moved.linear();
   moved.linear() = tilted;
   moved.translation() = distance * Eigen::Vector3d(kOffCentre * std::cos(3.0 * k), kOffCentre * std::sin(2.0 * k), 1);
   return moved.inverse();
@@ -43,17 +42,17 @@ bool within_limits(const RobotModel& model, const JointVector& joints) {
 }
 
 std::vector<JointVector> view_postures(const RobotModel& model, const HandEyeFit& rough, const JointVector& near,
-                                       std::size_t count) {
+                                       std::size_t count, const ViewCap& cap) {
   const bool moves = rough.carried == Carried::camera;
   const Pose flange_near = model.flange(near);
   const Pose first = rough.marker.inverse() * (moves ? flange_near : flange_near.inverse()) * rough.camera;
   std::vector<JointVector> postures;
   for (int k = 0; k < kCandidates && postures.size() < count; ++k) {
-    const Pose carrier = rough.marker * view(first, k) * rough.camera.inverse();
+    const Pose carrier = rough.marker * view(first, cap, k) * rough.camera.inverse();
     const Pose flange = moves ? carrier : carrier.inverse();
     JointVector joints = near;
     if (model.inverse(flange, near, joints) != ErrorCode::none) continue;
-    if ((joints - near).cwiseAbs().maxCoeff() > kFarthest || !within_limits(model, joints)) continue;
+    if ((joints - near).cwiseAbs().maxCoeff() > cap.joint_reach || !within_limits(model, joints)) continue;
     postures.push_back(joints);
   }
   return postures;

@@ -13,6 +13,7 @@
 #include "config/robot_files.hpp"
 #include "mrroc/joint_trajectory.hpp"
 #include "mrroc/load.hpp"
+#include "mrroc/measured_arm.hpp"
 #include "mrroc/types.hpp"
 
 namespace mrroc::config {
@@ -64,7 +65,9 @@ struct RobotEntry {
   std::string force_sensor;           ///< the sensor whose raw readings its EDP uses; may be empty
   /// Limits beyond which the robot stops, in the axes of that sensor: 3 forces (N), 3 torques (N m). The original's.
   Wrench force_limits = (Wrench() << 65, 65, 130, 5, 5, 5).finished();
-  Load load;          ///< on the flange, in its frame
+  Load load;  ///< on the flange, in its frame
+  /// `joint_zeros`, `link_positions`, `link_rotations`: as measured. A simulated robot stays as its type describes it.
+  MeasuredArm measured_arm;
   std::string host;   ///< name of a [hosts] table; empty: the runner's machine
   std::string mount;  ///< robot that carries it; empty: fixed in the world
   /// In the world, or in the frame of the carrier's site `tool`: `position = [x, y, z]` (m), `rotation = [r, p, y]`

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/short_number.hpp"
+#include "kinematics/decorated_model.hpp"
 #include "kinematics/random_numbers.hpp"
 #include "mrroc/errors.hpp"
 
@@ -56,39 +57,13 @@ RobotParameters loaded(const RobotModel& model, const Load& load) {
   return parameters;
 }
 
-class LoadedModel final : public RobotModel {
+class LoadedModel final : public DecoratedModel {
  public:
   LoadedModel(std::shared_ptr<const RobotModel> model, RobotParameters parameters)
-      : model_(std::move(model)), parameters_(std::move(parameters)) {}
-  std::string_view name() const noexcept override { return model_->name(); }
+      : DecoratedModel(std::move(model)), parameters_(std::move(parameters)) {}
   const RobotParameters& parameters() const noexcept override { return parameters_; }
-  ErrorCode motors_to_joints(const JointVector& motors, JointVector& joints) const noexcept override {
-    return model_->motors_to_joints(motors, joints);
-  }
-  ErrorCode joints_to_motors(const JointVector& joints, JointVector& motors) const noexcept override {
-    return model_->joints_to_motors(joints, motors);
-  }
-  JointMatrix transmission(const JointVector& joints) const noexcept override { return model_->transmission(joints); }
-  Pose default_tool() const noexcept override { return model_->default_tool(); }
-  Pose flange(const JointVector& joints) const noexcept override { return model_->flange(joints); }
-  ErrorCode inverse(const Pose& flange, const JointVector& near, JointVector& joints) const noexcept override {
-    return model_->inverse(flange, near, joints);
-  }
-  void branches(const Pose& flange, const JointVector& near, BranchReceiver& receiver) const noexcept override {
-    model_->branches(flange, near, receiver);
-  }
-  std::string_view branch_name(const JointVector& joints) const noexcept override {
-    return model_->branch_name(joints);
-  }
-  double joint_period(int joint) const noexcept override { return model_->joint_period(joint); }
-  int kept_joint() const noexcept override { return model_->kept_joint(); }
-  Jacobian jacobian(const JointVector& joints, const Eigen::Vector3d& offset) const noexcept override {
-    return model_->jacobian(joints, offset);
-  }
-  ClosedLoops closed_loops(const JointVector& joints) const override { return model_->closed_loops(joints); }
 
  private:
-  std::shared_ptr<const RobotModel> model_;
   RobotParameters parameters_;
 };
 

@@ -1,6 +1,7 @@
 #include "mrroc/robot.hpp"
 
 #include "kinematics/loaded_model.hpp"
+#include "kinematics/measured_model.hpp"
 #include "mrroc/task.hpp"
 
 namespace mrroc {
@@ -12,7 +13,8 @@ Robot::Robot(Task& task, const std::string& name, const std::string& type,
 Robot::Robot(Task& task, const std::string& name, RobotModels models)
     : task_(&task),
       name_(task.robot_name(name)),
-      models_(kinematics::with_load(std::move(models), task.robot_load(name_))),
+      models_(kinematics::with_measured(kinematics::with_load(std::move(models), task.robot_load(name_)),
+                                        task.measured_arm(name_))),
       link_(&task.robot_link(name_, parameters().type)) {}
 
 ToolKinematics Robot::kinematics() const noexcept {

@@ -70,6 +70,12 @@ Load TaskProcess::robot_load(const std::string& name) const {
   return {};
 }
 
+MeasuredArm TaskProcess::measured_arm(const std::string& name) const {
+  for (const config::RobotEntry& robot : process_.deployment().robots)
+    if (robot.name == name) return robot.measured_arm;
+  return {};
+}
+
 RobotLink& TaskProcess::robot_link(const std::string& name, const std::string& type) {
   find_entry(process_.deployment().robots, name, type, "robot", process_.name());
   if (!robots_.contains(name)) {

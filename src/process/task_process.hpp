@@ -66,6 +66,7 @@ class TaskProcess : public Task {
   const std::string& process_name() const noexcept override { return process_.name(); }
   std::filesystem::path robot_parameters(const std::string& name, const std::string& type) const override;
   Load robot_load(const std::string& name) const override;
+  MeasuredArm measured_arm(const std::string& name) const override;
   RobotLink& robot_link(const std::string& name, const std::string& type) override;
   SensorLink& sensor_link(const std::string& name, const std::string& type, bool& interactive) override;
   double servo_period() const noexcept override { return process_.clock().period(); }

@@ -9,6 +9,7 @@
 #include "calibration/outlying_views.hpp"
 #include "calibration/seeded.hpp"
 #include "calibration/view_postures.hpp"
+#include "kinematics/measured_chain.hpp"
 #include "mrroc/errors.hpp"
 #include "robots/irb6/irb6_model.hpp"
 
@@ -29,6 +30,7 @@ struct Scene {
 struct Noise {
   double corner = 0;                    // rad
   double focal = 0, k1 = 0, joint = 0;  // sizes of the errors
+  double link = 0;                      // m and rad
 };
 
 constexpr double kSide = 0.09;  // m
@@ -63,14 +65,20 @@ Pose seen_pose(const Eigen::Matrix<double, 2, 4>& corners, Pose pose) {
   return pose;
 }
 
+/// The flange of an arm with these links.
+Pose flange_of(const JointVector& joints, const std::vector<Twist>& links) {
+  return links.empty() ? irb6().flange(joints) : kinematics::measured_chain(irb6(), links).flange(joints);
+}
+
 /// The marker in the camera frame.
 Pose seen_from(const JointVector& joints, const HandEyeFit& truth) {
-  const Pose flange = irb6().flange(joints);
+  const Pose flange = flange_of(joints, truth.links);
   const Pose carrier = truth.carried == Carried::camera ? flange : flange.inverse();
   return (carrier * truth.camera).inverse() * truth.marker;
 }
 
-Scene scene(std::uint32_t seed, const Noise& noise, Carried carried = Carried::camera) {
+Scene scene(std::uint32_t seed, const Noise& noise, Carried carried = Carried::camera, std::size_t views = 20,
+            const ViewCap& cap = {}) {
   Seeded random(seed);
   const JointVector home = irb6().parameters().home;
   Scene made;
@@ -90,7 +98,10 @@ Scene scene(std::uint32_t seed, const Noise& noise, Carried carried = Carried::c
   truth.k1 = random.within(noise.k1);
   truth.joints = JointVector::Zero(home.size());
   for (double& joint : truth.joints) joint = random.within(noise.joint);
-  for (const JointVector& joints : view_postures(irb6(), truth, home, 20)) {
+  if (noise.link > 0)
+    for (Eigen::Index i = 0; i < home.size(); ++i)
+      truth.links.emplace_back() << random.vector(noise.link), random.vector(noise.link);
+  for (const JointVector& joints : view_postures(irb6(), truth, home, views, cap)) {
     MarkerView view;
     view.joints = joints - truth.joints;  // the encoders' readings
     view.side = kSide;
@@ -147,6 +158,35 @@ TEST(HandEye, RefinementIsBetterThanTheClosedForm) {
   }
   std::printf("mean error of the position: %.3f mm in closed form, %.3f mm refined\n", 1000 * closed, 1000 * refined);
   EXPECT_LT(refined, 0.5 * closed);
+}
+
+/// The largest error of the camera's place beside the marker at the postures of `views`, m, with all as estimated.
+double error_of_places(const std::vector<MarkerView>& views, const HandEyeFit& fit, const HandEyeFit& truth) {
+  double worst = 0;
+  for (const MarkerView& view : views) {
+    const auto place = [&view](const HandEyeFit& arm) {
+      return Pose(arm.marker.inverse() * flange_of(view.joints + arm.joints, arm.links) * arm.camera);
+    };
+    worst = std::max(worst, distance(place(fit), place(truth)));
+  }
+  return worst;
+}
+
+RC_GTEST_PROP(HandEye, FindsZerosAndLinksOfAnArm, (std::uint32_t seed)) {
+  const ViewCap wide{.tilt = 0.6, .turn = 1.5, .nearest = 0.9, .farthest = 1.7, .joint_reach = 2.5};
+  const Scene made = scene(seed, {.corner = 5e-5, .joint = 0.004, .link = 0.001}, Carried::camera, 100, wide);
+  std::vector<MarkerView> seen, others;
+  for (std::size_t k = 0; k < made.views.size(); ++k) (k % 2 == 0 ? seen : others).push_back(made.views[k]);
+  HandEyePriors measured{.joint = 0.004, .position = 2e-5, .rotation = 4e-5}, nominal = measured;
+  measured.link_position = measured.link_rotation = 0.001;
+  nominal.joint = 1e-9;
+  const HandEyeFit fit = fit_hand_eye(irb6(), seen, measured);
+  const double before = error_of_places(others, fit_hand_eye(irb6(), seen, nominal), made.truth);
+  const double after = error_of_places(others, fit, made.truth);
+  RC_LOG() << made.views.size() << " views, " << 1000 * before << " mm before, " << 1000 * after << " mm after\n";
+  RC_ASSERT(fit.links.size() == 6U);
+  RC_ASSERT(after < 0.0007);
+  RC_ASSERT(after < 0.35 * before);
 }
 
 RC_GTEST_PROP(HandEye, ViewsThatContradictTheOthersAreLeftOut, (std::uint32_t seed, bool marker)) {

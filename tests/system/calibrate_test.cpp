@@ -138,7 +138,7 @@ TEST(Calibrate, WrongArgumentsAreNamedBeforeAnythingStarts) {
       refusal({"load", kForceDemo, "--sensor", "plain", "--into", "/nowhere/a.toml"}).find("no folder '/nowhere'"),
       std::string::npos);
   EXPECT_NE(refusal({"weight", kForceDemo, "--into", into})
-                .find("no kind 'weight', expected 'load', 'hand-eye', 'base' or 'camera'"),
+                .find("no kind 'weight', expected 'load', 'hand-eye', 'base', 'kinematics' or 'camera'"),
             std::string::npos);
   EXPECT_NE(refusal({"load", kForceDemo, "--into", into, "--reach", "9"}).find("expected a number from 0.05 to 3"),
             std::string::npos);

@@ -58,6 +58,29 @@ std::optional<Pose> read_measured_base(const Table& table, const RobotEntry& rob
   return pose_from_rpy(Eigen::Vector3d(position->data()), Eigen::Vector3d(rotation->data()));
 }
 
+/// `joint_zeros`, `link_positions`, `link_rotations`: three numbers of a link for each axis.
+MeasuredArm read_measured_arm(const Table& table, const RobotEntry& robot) {
+  constexpr Range kZero{-0.2, 0.2}, kPosition{-0.05, 0.05}, kRotation{-0.1, 0.1};
+  MeasuredArm measured;
+  if (!table.has("joint_zeros") && !table.has("link_positions") && !table.has("link_rotations")) return measured;
+  const std::size_t axes = read_robot_parameters(Table::load(robot.files().parameters)).axes.size();
+  if (const auto zeros = table.optional_numbers("joint_zeros", axes, kZero))
+    measured.zeros = Eigen::Map<const Eigen::VectorXd>(zeros->data(), std::ssize(*zeros));
+  const auto positions = table.optional_numbers("link_positions", 3 * axes, kPosition);
+  const auto rotations = table.optional_numbers("link_rotations", 3 * axes, kRotation);
+  if (rotations && !positions) table.fail("link_rotations", "alone", "link_positions beside it");
+  if (positions && !rotations) table.fail("link_positions", "alone", "link_rotations beside it");
+  if (!positions) return measured;
+  if (axes != 6)
+    table.fail("link_positions", "the robot has " + std::to_string(axes) + (axes == 1 ? " axis" : " axes"),
+               "a robot with 6");
+  for (std::size_t i = 0; i < axes; ++i) {
+    Twist& link = measured.links.emplace_back();
+    link << Eigen::Vector3d(positions->data() + 3 * i), Eigen::Vector3d(rotations->data() + 3 * i);
+  }
+  return measured;
+}
+
 void read_force(const Table& table, RobotEntry& robot) {
   robot.force_sensor = table.optional_text("force_sensor").value_or("");
   for (const auto& [key, first] : {std::pair{"force_limit", 0}, {"torque_limit", 3}}) {
@@ -98,8 +121,8 @@ void check_period(const Table& table, const Table& parameters, const Deployment&
 RobotEntry read_robot(const Table& table, const std::string& name, const Deployment& deployment) {
   allow_driver_tables(table, "robot", robot_drivers());
   table.only({"type", "parameters", "program", "hardware", "host", "mount", "position", "rotation", "base_position",
-              "base_rotation", "synchronised", "emergency_stop", "force_sensor", "force_limit", "torque_limit",
-              "load"});
+              "base_rotation", "synchronised", "emergency_stop", "force_sensor", "force_limit", "torque_limit", "load",
+              "joint_zeros", "link_positions", "link_rotations"});
   RobotEntry robot;
   robot.name = name;
   robot.type = table.choice("type", robot_types());
@@ -115,6 +138,7 @@ RobotEntry read_robot(const Table& table, const std::string& name, const Deploym
     robot.emergency_stop = static_cast<int>(table.integer("emergency_stop", 0, ControllerIo::kDigital - 1));
   read_force(table, robot);
   robot.load = read_load(table, robot);
+  robot.measured_arm = read_measured_arm(table, robot);
   robot.program = table.optional_text("program").value_or(robot.program);
   const Table parameters = Table::load(robot.files().parameters);
   robot.edp_program = parameters.optional_text("edp").value_or(robot.type + "_edp");
