@@ -104,11 +104,13 @@ Fault MotionWatch::check_shafts(const RobotModel& model, const Seen& seen, std::
 /// The push of each shaft alone, as the only motion that its encoder hides.
 Fault MotionWatch::check_push(const RobotModel& model, const JointVector& joints) const noexcept {
   const std::vector<AxisParameters>& axes = model.parameters().axes;
-  const JointMatrix ratio = model.transmission(joints).inverse();
+  const Eigen::PartialPivLU<JointMatrix> ratio(model.transmission(joints));
   Fault fault;
   for (Eigen::Index i = pushed_.size(); i-- > 0;) {
+    if (pushed_[i] == 0) continue;
+    const JointVector speeds = ratio.solve(pushed_[i] * JointVector::Unit(pushed_.size(), i));
     for (Eigen::Index j = pushed_.size(); j-- > 0;) {
-      const double speed = std::abs(ratio(j, i) * pushed_[i]);
+      const double speed = std::abs(speeds[j]);
       const double limit = kPushed * axes[static_cast<std::size_t>(j)].velocity_max;
       if (speed > limit) fault = {ErrorCode::axis_stuck, static_cast<int>(i), Excess{speed, limit}};
     }
