@@ -20,6 +20,7 @@ std::string compose(const std::filesystem::path& file, int line, const std::stri
 
 ConfigurationError::ConfigurationError(const std::filesystem::path& file, int line, const std::string& key,
                                        const std::string& problem, const std::string& expected)
-    : std::runtime_error(compose(file, line, key, problem, expected)) {}
+    : std::runtime_error(compose(file, line, key, problem, expected)),
+      parts_(std::make_shared<const Parts>(Parts{key, problem, expected})) {}
 
 }  // namespace mrroc::config

@@ -247,6 +247,8 @@ Deployment load_deployment(const std::filesystem::path& file, const std::string&
     deployment.calibrations = calibration_files(file, text);
     return deployment;
   } catch (const ConfigurationError& error) {
+    if (const auto at = calibration_line(file, text, error.key()))
+      throw ConfigurationError(at->file, at->line, error.key(), error.problem(), error.expected());
     throw ConfigurationError(file, 0, "deployment.calibration",
                              "its files make the deployment invalid: " + std::string(error.what()),
                              "the keys that `mrroc calibrate` writes");

@@ -19,6 +19,17 @@ class ConfigurationError : public std::runtime_error {
  public:
   ConfigurationError(const std::filesystem::path& file, int line, const std::string& key, const std::string& problem,
                      const std::string& expected);
+
+  /// As given; the key is "" where no key is wrong.
+  const std::string& key() const noexcept { return parts_->key; }
+  const std::string& problem() const noexcept { return parts_->problem; }
+  const std::string& expected() const noexcept { return parts_->expected; }
+
+ private:
+  struct Parts {
+    std::string key, problem, expected;
+  };
+  std::shared_ptr<const Parts> parts_;  // a copy of an error does not throw
 };
 
 /// Bounds of a number, both included.

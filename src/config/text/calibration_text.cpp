@@ -1,5 +1,6 @@
 #include "config/text/calibration_text.hpp"
 
+#include <algorithm>
 #include <optional>
 
 #include "config/entries/named_file.hpp"
@@ -61,6 +62,22 @@ std::string with_calibrations(const std::filesystem::path& file, const std::stri
   for (const std::filesystem::path& calibration : calibration_files(file, text)) apply(*root, calibration);
   (*root)["deployment"].as_table()->erase("calibration");
   return toml_text(*root);
+}
+
+std::optional<CalibrationLine> calibration_line(const std::filesystem::path& file, const std::string& text,
+                                                std::string_view key) {
+  std::optional<CalibrationLine> last;
+  for (const std::filesystem::path& calibration : calibration_files(file, text)) {
+    const toml::table values = toml::parse(read_file(calibration));
+    const toml::node* node = &values;
+    for (std::string_view rest = key.substr(0, key.find('[')); node != nullptr && !rest.empty();) {
+      const std::string_view name = rest.substr(0, rest.find('.'));
+      rest.remove_prefix(std::min(rest.size(), name.size() + 1));
+      node = node->is_table() ? node->as_table()->get(name) : nullptr;
+    }
+    if (node != nullptr && node != &values) last = {calibration, static_cast<int>(node->source().begin.line)};
+  }
+  return last;
 }
 
 std::string for_calibration(const std::string& text, const CalibrationTask& task) {

@@ -2,7 +2,9 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// Deployment texts whose keys are replaced: by calibration files, and for a run of `mrroc calibrate`. Configuration
@@ -22,6 +24,15 @@ std::vector<std::filesystem::path> calibration_files(const std::filesystem::path
 /// Throws ConfigurationError as calibration_files(), and when a file is invalid or names a device that the deployment
 /// does not have.
 std::string with_calibrations(const std::filesystem::path& file, const std::string& text);
+
+/// Where `key` ("robots.arm.joint_zeros[2]") of a deployment with `with_calibrations` comes from.
+struct CalibrationLine {
+  std::filesystem::path file;
+  int line = 0;
+};
+/// Of the last of its calibration files that has the key; nothing when none has it. Throws as `with_calibrations`.
+std::optional<CalibrationLine> calibration_line(const std::filesystem::path& file, const std::string& text,
+                                                std::string_view key);
 
 /// A calibration as the task of a deployment.
 struct CalibrationTask {

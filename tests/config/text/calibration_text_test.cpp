@@ -66,9 +66,16 @@ TEST_F(CalibrationText, MistakesAreNamedWithFileAndKey) {
                       "expected 'wrist'"),
             std::string::npos);
   EXPECT_NE(refusal("[sim]\nscene = 'a.xml'\n").find("wrist.toml:1: sim: unknown key"), std::string::npos);
-  const std::string key = refusal("[sensors.wrist]\nfrozen_afer = 1\n");
-  EXPECT_NE(key.find("deployment.calibration: its files make the deployment invalid"), std::string::npos) << key;
-  EXPECT_NE(key.find("sensors.wrist.frozen_afer: unknown key"), std::string::npos) << key;
+  const auto expect_at = [this](const std::string& content, const std::string& place) {
+    const std::string text = refusal(content);
+    EXPECT_NE(text.find("wrist.toml:" + place), std::string::npos) << text;
+  };
+  expect_at("[sensors.wrist]\nfrozen_afer = 1\n", "2: sensors.wrist.frozen_afer: unknown key");
+  expect_at("[sensors.wrist]\nfrozen_after = 1\n\n[robots.arm]\nposition = [1, 2]\n", "5: robots.arm.position: has 2 ");
+  expect_at("[robots.arm]\njoint_zeros = [\n  0.3,\n]\n", "2: robots.arm.joint_zeros[0]: 0.3 is out of range");
+  expect_at("robots.arm.base_rotation = [0, 0, 0]\n", "1: robots.arm.base_rotation: alone");
+  // what is wrong between two of its keys and the deployment is said of the first
+  expect_at("[robots.arm]\nbase_position = [0, 0, 0]\n", "2: robots.arm.base_position: alone");
   try {
     load_deployment(scratch_.write("cell.toml", cell("calibration = ['none.toml']\n")));
     ADD_FAILURE() << "a missing file is accepted";
