@@ -38,6 +38,7 @@ class CanHardware : public Hardware {
     /// Lockstep: the nodes are simulated and return fences, so that the content of a cycle does not depend on wall
     /// time. `timeout` is that for a fence: after it the nodes are lost.
     bool fenced = false;
+    double boot_timeout = 10;  ///< s of wall time, for all nodes to boot; not with `fenced`: simulators start meanwhile
   };
 
   /// Opens the bus; throws HardwareError or std::runtime_error.
@@ -65,7 +66,6 @@ class CanHardware : public Hardware {
   bool homes() const noexcept override { return true; }
   void home(int axis) noexcept override;
 
-  static constexpr double kBootTimeout = 10;   ///< s of wall time
   static constexpr double kFenceTimeout = 10;  ///< s of wall time, after which simulated nodes in lockstep are lost
 
  private:

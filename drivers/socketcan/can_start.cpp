@@ -102,7 +102,7 @@ void CanHardware::set_up_all() {
 void CanHardware::await_boot() {
   std::vector<bool> booted(places(), false);
   const auto missing = [&booted] { return std::find(booted.begin(), booted.end(), false); };
-  const double timeout = timing_.fenced ? kStartTimeout : kBootTimeout;
+  const double timeout = timing_.fenced ? kStartTimeout : timing_.boot_timeout;
   const std::int64_t end = clock::monotonic_ns() + std::llround(timeout * clock::kSecond);
   while (missing() != booted.end()) {
     for (std::size_t i = 0; i < places(); ++i)

@@ -82,6 +82,9 @@ class TestBus {
   std::string name_;
 };
 
+/// With a node that is not there.
+inline constexpr CanHardware::Timing kShortBoot{.timeout = 0.5, .boot_timeout = 2};
+
 /// Simulated drives of a robot on a bus, with a plant model behind them, and their thread. Each SYNC is a tick of the
 /// drives.
 class Rack {
@@ -139,7 +142,7 @@ struct HeldGantry {
   void connect() {
     hardware.reset();
     hardware =
-        std::make_unique<CanHardware>(table, model.parameters(), kCanPeriod, bus.opener(), kTestTiming, synchronised_);
+        std::make_unique<CanHardware>(table, model.parameters(), kCanPeriod, bus.opener(), timing, synchronised_);
   }
   void run(Tick ticks) {
     for (const Tick end = tick + ticks; tick < end; ++tick) {
@@ -164,6 +167,7 @@ struct HeldGantry {
   TestBus bus;
   Rack rack;
   std::unique_ptr<CanHardware> hardware;
+  CanHardware::Timing timing = kTestTiming;  ///< of the next `connect`
   std::function<void()> after_tick;
   Tick tick = 0;
   HardwareInput input;

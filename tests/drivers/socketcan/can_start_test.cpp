@@ -191,13 +191,18 @@ TEST(CanStart, ErrorsOfDrivesAreReportedByNameBeforeAnyMotion) {
                   "drive z, node 3: refuses Statusword = 1: attempt to write a read only object");
   table = good;
   table.drives[3].node = 9;
-  expect_contains(HeldGantry(table, good).refusal(), "node 9: no boot-up message within");
+  HeldGantry missing(table, good);
+  missing.timing = kShortBoot;
+  missing.connect();
+  expect_contains(missing.refusal(), "node 9: no boot-up message within 2 s");
 }
 
 TEST(CanStart, BusReportsAreAddedToTheErrorOfADriveThatDoesNotBoot) {
   config::DriveTable table = table_for(Gantry{}.parameters(), DriveMode::cyclic_position);
   table.drives[3].node = 9;
   HeldGantry rig(table, table_for(Gantry{}.parameters(), DriveMode::cyclic_position));
+  rig.timing = kShortBoot;
+  rig.connect();
   can::Frame passive{0x4, {0, 0x20, 0, 0, 0, 0, 0, 0}};
   passive.error = true;
   std::atomic<bool> refused{false};

@@ -194,12 +194,13 @@ TEST(CanIo, OutputsTakeTheirErrorValuesWhenTheirMasterEnds) {
 }
 
 /// The error of `open`; empty: none.
-std::string refusal(const config::IoTable& wanted, const config::IoTable& there) {
+std::string refusal(const config::IoTable& wanted, const config::IoTable& there,
+                    CanHardware::Timing timing = kTestTiming) {
   const Gantry model;
   const config::DriveTable table = table_for(model.parameters(), DriveMode::cyclic_position);
   const TestBus bus;
   Rack rack(table, model, bus, true, kCanPeriod, there);
-  CanHardware hardware(table, model.parameters(), kCanPeriod, bus.opener(), kTestTiming, true, wanted);
+  CanHardware hardware(table, model.parameters(), kCanPeriod, bus.opener(), timing, true, wanted);
   try {
     hardware.open();
   } catch (const HardwareError& error) {
@@ -242,8 +243,8 @@ TEST(CanIoStart, NamesTheSettingThatANodeRefuses) {
 TEST(CanIoStart, MissingNodeIsSilent) {
   config::IoTable there = io_table();
   there.nodes.pop_back();
-  const std::string text = refusal(io_table(), there);
-  EXPECT_TRUE(text.starts_with("the hardware does not answer: I/O, node 41: no boot-up message within 10 s")) << text;
+  const std::string text = refusal(io_table(), there, kShortBoot);
+  EXPECT_TRUE(text.starts_with("the hardware does not answer: I/O, node 41: no boot-up message within 2 s")) << text;
 }
 
 }  // namespace
