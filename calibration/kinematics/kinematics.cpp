@@ -7,6 +7,7 @@
 #include "calibration/common/marker_views.hpp"
 #include "calibration/common/report.hpp"
 #include "calibration/kinematics/calibrate_kinematics.hpp"
+#include "kinematics/measured_chain.hpp"
 
 namespace mrroc::calibration {
 namespace {
@@ -45,6 +46,8 @@ class KinematicCalibration : public ecp::Task {
     const config::RobotEntry& entry = process().deployment().robot(arm.name());
     const RobotModels models = load_models(entry.type, entry.files().parameters);  // not as measured before
     const RobotModel& model = *models.front();
+    const bool with_links = model.joint_count() == 6 && order.link_deviation > 0;
+    if (with_links) kinematics::measured_chain(model);  // refused before anything moves
     ViewOrder view_order = calibration::view_order(order);
     view_order.cap = {.tilt = 0.6, .turn = 1.5, .nearest = 0.9, .farthest = 1.7, .joint_reach = 2.5};
     std::vector<MarkerView> views = marker.take(view_order);
@@ -53,7 +56,7 @@ class KinematicCalibration : public ecp::Task {
 
     HandEyePriors nominal = view_order.priors, measured = view_order.priors;
     nominal.joint = kExact;
-    if (model.joint_count() == 6) measured.link_position = measured.link_rotation = order.link_deviation;
+    if (with_links) measured.link_position = measured.link_rotation = order.link_deviation;
     const AgreedFit agreed = agreed_fit(model, views, measured);
     std::vector<MarkerView> used, kept_out;
     for (std::size_t k = 0; k < agreed.used.size(); ++k)

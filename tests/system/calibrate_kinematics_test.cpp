@@ -136,14 +136,14 @@ TEST(CalibrateKinematics, AnArmThatWasPutTogetherAgainIsNearerToTheTrueOne) {
 /// What is measured in a deployment that is already calibrated is the whole arm, not the rest.
 TEST(CalibrateKinematics, OnceMoreItFindsTheSame) {
   const ScratchFolder folder;
-  const std::vector<std::string> few{"--views", "16"};
+  const std::vector<std::string> few{"--views", "24"};
   const MeasuredArm first = calibrated_arm(folder, kInspect, "modest", few);
   const auto kept = folder.write("kept.toml", text_of(folder / "arm.toml"));
   const auto calibrated = with_calibration(folder, kInspect, "inspect.xml", kept);
   const auto again = folder.write("again.toml", text_of(calibrated));
   const MeasuredArm second = calibrated_arm(folder, again.string(), "modest", few);
-  EXPECT_LT((first.zeros - second.zeros).cwiseAbs().maxCoeff(), 1e-4);
-  EXPECT_GT(first.zeros.cwiseAbs().maxCoeff(), 1e-4);
+  EXPECT_LT((first.zeros - second.zeros).cwiseAbs().maxCoeff(), 2e-4);
+  EXPECT_GT(first.zeros.cwiseAbs().maxCoeff(), 4e-4);
 }
 
 }  // namespace

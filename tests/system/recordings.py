@@ -93,6 +93,7 @@ def run_tests(tests):
         if sys.argv[3:] and test.__name__ not in sys.argv[3:]:
             continue
         with tempfile.TemporaryDirectory() as folder:
+            os.environ["MRROC_RUNTIME_DIR"] = f"{folder}/mrroc"  # the only run is that of the test
             began = time.monotonic()
             test(pathlib.Path(folder))
             print(f"{test.__name__}: {time.monotonic() - began:.1f} s", flush=True)
