@@ -227,8 +227,8 @@ class Shell {
 
   process::Process& process_;
   config::RobotPlace place_;
-  RobotModels
-      machine_models_;  ///< as the type describes them: what drivers turn readings of controllers into shafts by
+  /// As the type describes them: what drivers turn the readings of controllers into shafts by.
+  RobotModels machine_models_;
   RobotModels models_;  ///< as measured
   ModelSet model_set_;
   std::optional<world::MappedWorld> world_;

@@ -8,7 +8,7 @@ namespace mrroc::calibration {
 /// are in the camera frame, at a marker that does not move, from postures that differ as much as the marker allows;
 /// estimates the zeros of the robot's joints and, of an arm of six joints, where each axis is on the link before
 /// (`fit_hand_eye`), returns, and writes them into the calibration file `into`, an absolute path. Every fifth view is
-/// kept out of a first estimate, which must expect it better than the model of the type does. Nothing may be in the
+/// kept out of a first estimate, which must expect it no worse than the model of the type does. Nothing may be in the
 /// path of the arm above the marker.
 struct CalibrateKinematics {
   FixedText<kNameLength> sensor = {};

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <mrroc/ecp.hpp>
@@ -12,9 +13,10 @@
 namespace mrroc::calibration {
 namespace {
 
-constexpr std::size_t kKeptOut = 5;   // every fifth view
-constexpr double kExact = 1e-9;       // rad or m: of joints that are not estimated
-constexpr double kLongestZero = 0.2;  // as the key's range
+constexpr std::size_t kKeptOut = 5;  // every fifth view
+constexpr double kExact = 1e-9;      // rad or m: of joints that are not estimated
+// the ranges of the keys
+constexpr double kLargestZero = 0.2, kLargestPosition = 0.05, kLargestRotation = 0.1;  // rad or m; m; rad
 
 /// Root mean square of the residuals of views that an estimate has not seen, rad.
 double expected_residual(const RobotModel& model, const HandEyeFit& fit, const std::vector<MarkerView>& views) {
@@ -27,6 +29,13 @@ double expected_residual(const RobotModel& model, const HandEyeFit& fit, const s
 template <class Values>
 Values rounded(const Values& values) {
   return values.unaryExpr([](double value) { return std::round(value * 1e9) / 1e9 + 0.0; });
+}
+
+/// Of three numbers of each link, from number `from` of its six on.
+double largest(const std::vector<Twist>& links, Eigen::Index from) {
+  double largest = 0;
+  for (const Twist& link : links) largest = std::max(largest, link.segment<3>(from).cwiseAbs().maxCoeff());
+  return largest;
 }
 
 /// Three numbers of each link, from number `from` of its six on.
@@ -70,7 +79,9 @@ class KinematicCalibration : public ecp::Task {
                 1000 * before);
     const std::vector<Bound> bounds{{"residual", "rad", residual, order.residual_bound},
                                     {"residual of views kept out", "rad", after, 1.1 * before},
-                                    {"largest zero", "rad", agreed.fit.joints.cwiseAbs().maxCoeff(), kLongestZero}};
+                                    {"largest zero", "rad", agreed.fit.joints.cwiseAbs().maxCoeff(), kLargestZero},
+                                    {"largest link", "m", largest(agreed.fit.links, 0), kLargestPosition},
+                                    {"largest turn of a link", "rad", largest(agreed.fit.links, 3), kLargestRotation}};
     judge(bounds);
     write_calibration(std::string(order.into.view()), "kinematics", "robot '" + arm.name() + "'", bounds,
                       text_of(agreed.fit));

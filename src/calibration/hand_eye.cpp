@@ -51,11 +51,8 @@ Pose park_martin(const std::vector<Pose>& a, const std::vector<Pose>& b) {
   return x;
 }
 
-/// F of a posture.
-Pose moved_part(const RobotModel& model, const JointVector& joints, Carried carried) {
-  const Pose flange = model.flange(joints);
-  return carried == Carried::camera ? flange : flange.inverse();
-}
+/// F of a posture with this flange.
+Pose moved_part(const Pose& flange, Carried carried) { return carried == Carried::camera ? flange : flange.inverse(); }
 
 /// The arm as estimated.
 class EstimatedArm {
@@ -64,10 +61,9 @@ class EstimatedArm {
     if (!fit.links.empty()) chain_ = kinematics::measured_chain(model, fit.links);
   }
   /// F where the encoders say `joints`.
-  Pose moved_part(const JointVector& joints) const {
+  Pose part_at(const JointVector& joints) const {
     const JointVector found = joints + fit_.joints;
-    const Pose flange = chain_ ? chain_->flange(found) : model_.flange(found);
-    return fit_.carried == Carried::camera ? flange : flange.inverse();
+    return moved_part(chain_ ? chain_->flange(found) : model_.flange(found), fit_.carried);
   }
 
  private:
@@ -151,7 +147,7 @@ struct Problem {
     return fit;
   }
   static Corners difference(const EstimatedArm& arm, const HandEyeFit& fit, const MarkerView& view) {
-    Corners seen = directions((arm.moved_part(view.joints) * fit.camera).inverse() * fit.marker, view.side);
+    Corners seen = directions((arm.part_at(view.joints) * fit.camera).inverse() * fit.marker, view.side);
     for (int i = 0; i < 4; ++i) seen.col(i) *= (1 + fit.focal) * (1 + fit.k1 * seen.col(i).squaredNorm());
     return seen - directions(view.marker, view.side);
   }
@@ -221,7 +217,8 @@ HandEyeFit closed_form_hand_eye(const RobotModel& model, const std::vector<Marke
   std::vector<Pose> a, b;
   for (std::size_t i = 0; i < views.size(); ++i) {
     for (std::size_t j = i + 1; j < views.size(); ++j) {
-      a.push_back(moved_part(model, views[j].joints, carried).inverse() * moved_part(model, views[i].joints, carried));
+      a.push_back(moved_part(model.flange(views[j].joints), carried).inverse() *
+                  moved_part(model.flange(views[i].joints), carried));
       b.push_back(views[j].marker * views[i].marker.inverse());
     }
   }
@@ -232,7 +229,7 @@ HandEyeFit closed_form_hand_eye(const RobotModel& model, const std::vector<Marke
   Vector3d position = Vector3d::Zero();
   Matrix3d rotation = Matrix3d::Zero();
   for (const MarkerView& view : views) {
-    const Pose marker = moved_part(model, view.joints, carried) * fit.camera * view.marker;
+    const Pose marker = moved_part(model.flange(view.joints), carried) * fit.camera * view.marker;
     position += marker.translation() / static_cast<double>(views.size());
     rotation += marker.linear();
   }
