@@ -29,10 +29,15 @@ void no_skew(const Step& step, Findings& findings) {
     findings.add(words("macrosteps that begin up to ", spread(step.line), " ticks apart"), "one tick for all");
 }
 
-/// The MP and the ECP of the robot command it in one step: equation (11).
-bool take_part(const Line& line, const RobotEntry& robot, const std::string& other) {
-  if (line.process == robot.name) return robot.superior.has_value();
-  return other == robot.name && robot.coordination != Coordination::none;
+/// The MP and the ECP of the robot command it in the step before: equation (11). The ECP may join between the query
+/// and the first command of a Move, and leave before the next one: it takes part if it has answered either.
+bool take_part(const Step& step, const RobotEntry& before, const std::string& other) {
+  if (step.line.process == before.name) return before.superior.has_value();
+  const auto answered_by_ecp = [&before](const RobotEntry& robot) {
+    return robot.name == before.name && robot.coordination != Coordination::none;
+  };
+  return other == before.name &&
+         (answered_by_ecp(before) || std::any_of(step.line.robots.begin(), step.line.robots.end(), answered_by_ecp));
 }
 
 void one_commander(const Step& step, Findings& findings) {
@@ -41,7 +46,7 @@ void one_commander(const Step& step, Findings& findings) {
     const RobotMemory* known = step.memory.robot(robot.name);
     if (!robot.command || known == nullptr) continue;
     for (const auto& [process, command] : known->by) {
-      if (process == step.line.process || take_part(step.line, robot, process) || command.tick < step.before->tick ||
+      if (process == step.line.process || take_part(step, robot, process) || command.tick < step.before->tick ||
           command.tick >= step.line.tick)
         continue;
       findings.add(words("robot ", robot.name, " is commanded by ", process, " too, at tick ", command.tick,

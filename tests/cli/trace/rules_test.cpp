@@ -194,6 +194,23 @@ TEST_F(TraceRule, OneCommander) {
   expect_only("one-commander", "robot arm is commanded by other too");
 }
 
+TEST_F(TraceRule, EcpThatJoinsAfterTheQueryTakesPart) {
+  trace.clock = "real";
+  const auto line_of_station = [this](std::size_t from) {
+    while (!trace.is_line(from) || trace.line(from).process != "station" || !trace.line(from).is_move) ++from;
+    return from;
+  };
+  std::size_t first = line_of_station(0);
+  while (trace.line(first).robots[0].coordination == Coordination::none) first = line_of_station(first + 1);
+  const std::size_t second = line_of_station(first + 1);
+  ASSERT_EQ(trace.line(first).step, 0U);
+  std::swap(trace.items[second - 1], trace.items[second]);  // the MP's step first
+  trace.line(first).robots[0].coordination = Coordination::none;
+  expect_none();
+  trace.line(second - 1).robots[0].coordination = Coordination::none;
+  expect("one-commander", "robot slide is commanded by slide too");
+}
+
 TEST_F(TraceRule, EndExplainsMissingStepsUnderTheRealClock) {
   trace.clock = "real";
   erase(begin_of(trace, "arm", 3) + 2);
