@@ -21,10 +21,12 @@ class TrackAndPick : public mp::Task {
   Camera eye{*this, "eye"};
 
   static constexpr int kParts = 20;
-  static constexpr double kOpen = 0.064, kPart = 0.060;  // m, between the pads
-  static constexpr double kWaiting = -0.40;              // m, y at which the arm waits for a part
-  static constexpr double kAbove = 0.05;                 // m
-  const Eigen::Vector3d along{0, 1, 0};                  // the belt's direction
+  static constexpr double kPart = 0.060;      // m, between the pads
+  static constexpr double kOpen = 0.070;      // 5 mm to each side: camera, base and arm may be off
+  static constexpr double kReleased = 0.064;  // beside other parts
+  static constexpr double kWaiting = -0.40;   // m, y at which the arm waits for a part
+  static constexpr double kAbove = 0.05;      // m
+  const Eigen::Vector3d along{0, 1, 0};       // the belt's direction
 
   Pose at_zero = Pose::Identity();  // of the part at zero of the encoder: z down, x across the belt
   Pose turn = Pose::Identity();     // of the grip in that frame
@@ -63,7 +65,7 @@ class TrackAndPick : public mp::Task {
 
   void pick() {
     Move({arm, gripper}, {encoder}, track(kAbove, 0, 0.15, 0.3));
-    Move({arm, gripper}, {encoder}, track(0));
+    // the way down takes 1.3 s, the fingers 2 s
     Move({arm, gripper}, {encoder},
          Together{track(0, 4.0), JointLine{gripper, TwoFingerGripper::at(kPart - 0.003), 1.0}}.until(Gripped{gripper}))
         .require<Gripped>("no part between the fingers");
@@ -79,9 +81,11 @@ class TrackAndPick : public mp::Task {
       if (way.by<Negated>()) throw NonFatalError{"the part has been lost"};
     }
     const auto released = [this] { return gripper.state().desired_joints[0] > kPart + 0.002; };
-    Move({arm, gripper}, {}, JointLine{gripper, TwoFingerGripper::at(kOpen), 1.0}.until(When{"released", released}));
     Move({arm, gripper}, {},
-         Together{JointLine{arm, around(x, y, z + 0.06), 0.9}, JointLine{gripper, TwoFingerGripper::at(kOpen), 1.0}});
+         JointLine{gripper, TwoFingerGripper::at(kReleased), 1.0}.until(When{"released", released}));
+    Move({arm, gripper}, {},
+         Together{JointLine{arm, around(x, y, z + 0.06), 0.9},
+                  JointLine{gripper, TwoFingerGripper::at(kReleased), 1.0}});
   }
 
   void run() override {
