@@ -56,7 +56,7 @@ bool CanHardware::is_of_a_master(const can::Frame& frame) const noexcept {
   if (frame.id == kNmt) return commands_our_nodes(frame);
   return frame.id == table_.sync || frame.id == kHeartbeat + table_.master ||
          std::any_of(drives_.begin(), drives_.end(),
-                     [&frame](const Drive& drive) { return frame.id == kReceivePdo1 + drive.node(); }) ||
+                     [&frame](const Drive& drive) { return frame.id == kReceivePdo1 + drive.pdo_node(); }) ||
          std::any_of(io_.all().begin(), io_.all().end(),
                      [&frame](const IoNode& node) { return node.is_command(frame); });
 }
@@ -79,8 +79,9 @@ void CanHardware::dispatch(const can::Frame& frame) noexcept {
     foreign_sync_ = foreign_sync_ || frame.id == table_.sync;  // answers may be to that SYNC
     return find(BusError::foreign_master);
   }
-  for (Drive& drive : drives_)
-    if (pass(frame, drive)) return;
+  bool taken = false;  // by each axis of a node
+  for (Drive& drive : drives_) taken = pass(frame, drive) || taken;
+  if (taken) return;
   for (IoNode& node : io_.all())
     if (pass(frame, node)) return;
 }
@@ -96,9 +97,27 @@ bool CanHardware::pass(const can::Frame& frame, Node& node) noexcept {
     return true;
   }
   send(next);
+  if (next != nmt_frame(NmtCommand::start, node.node())) return true;
   // it monitors our heartbeat from the first one on: it must not have power before
-  if (next == nmt_frame(NmtCommand::start, node.node())) send_heartbeat();
+  send_heartbeat();
+  begin_other_axes(node);
   return true;
+}
+
+/// The node of `leader` has been set up and started again.
+void CanHardware::begin_other_axes(const Drive& leader) noexcept {
+  for (Drive& drive : drives_) {
+    if (drive.node() != leader.node() || drive.leads()) continue;
+    if (!leader.knows_position()) drive.lose_position();
+    drive.begin(tick_);
+  }
+}
+
+/// A node takes one SDO request at a time.
+bool CanHardware::line_is_free(const Drive& drive) const noexcept {
+  return std::none_of(drives_.begin(), drives_.end(), [this, &drive](const Drive& other) {
+    return other.node() == drive.node() && other.channel() != drive.channel() && other.awaits_mode(tick_);
+  });
 }
 
 /// Takes frames until every expected drive has answered. False: the timeout came first.
@@ -179,7 +198,7 @@ void CanHardware::synchronise(Tick tick) noexcept {
   foreign_sync_ = false;
   for (Drive& drive : drives_) {
     if (drive.repeats(tick, frame)) begin_set_up(drive.node(), frame);
-    if (drive.asks(tick, frame)) send(frame);
+    if (line_is_free(drive) && drive.asks(tick, frame)) send(frame);
   }
   for (IoNode& node : io_.all())
     if (node.repeats(tick, frame)) begin_set_up(node.node(), frame);

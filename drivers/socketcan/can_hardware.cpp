@@ -79,7 +79,7 @@ void CanHardware::read_drives(Tick tick, HardwareInput& input) noexcept {
     const DriveFault fault = drive.fault(tick);
     const auto* silence = std::get_if<Silent>(&fault);
     if (silence != nullptr && silence->how == Silent::How::no_answer) ++silent;
-    if (!graver(code_of(fault), input.fault)) continue;
+    if (!graver(code_of(fault), input.fault) || is_of_another_axis(drive)) continue;
     input.fault = code_of(fault);
     input.fault_axis = static_cast<int>(i);
     input.fault_detail = describe(fault);
@@ -90,6 +90,19 @@ void CanHardware::read_drives(Tick tick, HardwareInput& input) noexcept {
     input.fault_detail = driver_text(
         "no drive has answered more than %d SYNCs in a row: they are lost, or the bus is cut", table_.missed_max);
   }
+}
+
+/// All axes of a node do.
+bool CanHardware::serves(NodeId node) const noexcept {
+  return std::all_of(drives_.begin(), drives_.end(),
+                     [node](const Drive& drive) { return drive.node() != node || drive.serves(); });
+}
+
+/// The EMCY that the node has sent, when another axis of it is in a fault.
+bool CanHardware::is_of_another_axis(const Drive& drive) const noexcept {
+  if (drive.has_error() || !std::holds_alternative<DriveError>(drive.fault(tick_))) return false;
+  return std::any_of(drives_.begin(), drives_.end(),
+                     [&drive](const Drive& other) { return other.node() == drive.node() && other.has_error(); });
 }
 
 void CanHardware::enable(bool on) noexcept {
@@ -106,7 +119,7 @@ void CanHardware::reset_fault() noexcept {
   for (std::size_t i = 0; i < drives_.size(); ++i) {
     can::Frame next;
     // the servo expects drives without power at the last position that it accepted
-    drives_[i].reset(tick_, position_[static_cast<Eigen::Index>(i)], next);
+    drives_[i].reset(tick_, position_[static_cast<Eigen::Index>(i)], !serves(drives_[i].node()), next);
     if (next.size != 0) begin_set_up(drives_[i].node(), next);
   }
   io_.clear();

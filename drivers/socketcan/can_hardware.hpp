@@ -16,9 +16,10 @@
 
 namespace mrroc::edp {
 
-/// The drives of a robot on a CAN bus, one CiA 402 node per axis, and the terminals of its controller, CiA 401 nodes.
-/// The servo's thread is the bus's only thread: `read` sends the SYNC and takes the nodes' answers, `write` sends each
-/// its command; both also send heartbeats, NMT commands and the set-up of a node that has restarted. A cycle is
+/// The drives of a robot on a CAN bus, CiA 402 nodes with one axis or several, and the terminals of its controller, CiA
+/// 401 nodes. The servo's thread is the bus's only thread: `read` sends the SYNC and takes the nodes' answers, `write`
+/// sends each its command; both also send heartbeats, NMT commands and the set-up of a node that has restarted. A cycle
+/// is
 ///
 ///   SYNC, TPDO 1 of every drive (and TPDO 2 and the inputs at each `status_every`-th SYNC), changed outputs, RPDO 1 to
 ///   every drive.
@@ -75,11 +76,17 @@ class CanHardware : public Hardware {
   IoNode& io_node(std::size_t place) noexcept { return io_.all()[place - drives_.size()]; }
   canopen::NodeId node_at(std::size_t place) const noexcept;
   NodeSetup& setup_at(std::size_t place) noexcept;
+  /// Whether the settings of the node are written for this place: once for a drive with several axes.
+  bool sets_up(std::size_t place) const noexcept { return !is_drive(place) || drives_[place].leads(); }
+  canopen::Object object_of(std::size_t axis, canopen::Object object) const noexcept {
+    return canopen::of_channel(object, drives_[axis].channel());
+  }
   void await_boot();
   void note(const can::Frame& frame);
   void set_up_all();
   void set_up(std::size_t place);
   void write_settings(std::size_t place);
+  void prepare_axes(std::size_t first, canopen::SdoClient& client);
   void prepare_drive(std::size_t axis, canopen::SdoClient& client);
   void check_modes(std::size_t axis, canopen::SdoClient& client) const;
   canopen::DriveState read_state(std::size_t axis, canopen::SdoClient& client);
@@ -99,6 +106,11 @@ class CanHardware : public Hardware {
   void dispatch(const can::Frame& frame) noexcept;
   template <class Node>
   bool pass(const can::Frame& frame, Node& node) noexcept;
+  void begin_other_axes(const Drive& leader) noexcept;
+  void begin_other_axes(const IoNode&) noexcept {}
+  bool serves(canopen::NodeId node) const noexcept;
+  bool is_of_another_axis(const Drive& drive) const noexcept;
+  bool line_is_free(const Drive& drive) const noexcept;
   bool await_all(std::int64_t deadline) noexcept;
   void await_answers(std::int64_t deadline) noexcept;
   bool pass_fence(bool ends_cycle) noexcept;

@@ -19,10 +19,13 @@ std::vector<can::Filter> filters_for(const std::vector<Drive>& drives, const IoN
                                      const config::DriveTable& table) {
   std::vector<can::Filter> filters{
       {kNmt, 0x7ff}, {table.sync, 0x7ff}, {kHeartbeat + table.master, 0x7ff}, {can::kReturnedFence, 0x7ff}};
-  for (const Drive& drive : drives)
-    for (const std::uint32_t function :
-         {kTransmitPdo1, kTransmitPdo1 + 0x100, kEmergency, kSdoResponse, kHeartbeat, kReceivePdo1})
+  for (const Drive& drive : drives) {
+    for (const std::uint32_t function : {kTransmitPdo1, kTransmitPdo1 + 0x100, kReceivePdo1})
+      filters.push_back({function + drive.pdo_node(), 0x7ff});
+    if (!drive.leads()) continue;
+    for (const std::uint32_t function : {kEmergency, kSdoResponse, kHeartbeat})
       filters.push_back({function + drive.node(), 0x7ff});
+  }
   io.add_filters(filters);
   return filters;
 }
@@ -47,7 +50,9 @@ NodeSetup& CanHardware::setup_at(std::size_t place) noexcept {
 void CanHardware::fail(ErrorCode code, std::size_t place, const std::string& what) const {
   const bool cause = code == ErrorCode::hardware_silent && bus_error_ != BusError::none;
   std::string text = is_drive(place) ? "drive " + table_.drives[place].axis : "I/O";
-  text += ", node " + std::to_string(node_at(place)) + ": " + what;
+  text += ", node " + std::to_string(node_at(place));
+  if (is_drive(place) && drives_[place].channel() != 1) text += ", channel " + std::to_string(drives_[place].channel());
+  text += ": " + what;
   if (cause) text.append(" (").append(can::describe(bus_error_)).append(")");
   throw HardwareError(code, text);
 }
@@ -63,7 +68,7 @@ void CanHardware::open() {
   await_boot();
   set_up_all();
   for (Drive& drive : drives_) {
-    send(nmt_frame(NmtCommand::start, drive.node()));
+    if (drive.leads()) send(nmt_frame(NmtCommand::start, drive.node()));
     drive.begin(0);
   }
   for (IoNode& node : io_.all()) {
@@ -78,11 +83,12 @@ void CanHardware::open() {
 void CanHardware::note(const can::Frame& frame) {
   if (frame.error) return take_error(frame);
   for (std::size_t i = 0; i < places(); ++i)
-    if (is_boot_up(frame, node_at(i))) set_up_[i] = false;
+    if (is_boot_up(frame, node_at(i)) && sets_up(i)) set_up_[i] = false;
 }
 
 void CanHardware::set_up_all() {
-  set_up_.assign(places(), false);
+  set_up_.assign(places(), true);
+  for (std::size_t i = 0; i < places(); ++i) set_up_[i] = !sets_up(i);
   std::vector<int> boots(places(), 0);
   for (;;) {
     can::Frame frame;
@@ -106,7 +112,7 @@ void CanHardware::await_boot() {
   const std::int64_t end = clock::monotonic_ns() + std::llround(timeout * clock::kSecond);
   while (missing() != booted.end()) {
     for (std::size_t i = 0; i < places(); ++i)
-      if (!booted[i]) send(nmt_frame(NmtCommand::reset_communication, node_at(i)));
+      if (!booted[i] && sets_up(i)) send(nmt_frame(NmtCommand::reset_communication, node_at(i)));
     const std::int64_t again = clock::monotonic_ns() + kBetweenResets;
     can::Frame frame;
     while (missing() != booted.end() && bus_->receive(frame, again)) {
@@ -124,7 +130,7 @@ void CanHardware::await_boot() {
 void CanHardware::set_up(std::size_t place) {
   SdoClient client(*bus_, sdo_timeout(), [this](const can::Frame& frame) { note(frame); });
   try {
-    is_drive(place) ? prepare_drive(place, client) : prepare_io_node(place, client);
+    is_drive(place) ? prepare_axes(place, client) : prepare_io_node(place, client);
   } catch (const SdoError& error) {
     if (!set_up_[place]) return;  // it has booted in the meantime
     fail(error.abort() == SdoAbort::timeout ? ErrorCode::hardware_silent : ErrorCode::configuration, place,

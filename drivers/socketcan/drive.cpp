@@ -23,10 +23,20 @@ std::int64_t jump(const config::DriveEntry& entry, double period) {
   return std::llround(way / std::abs(kTurn / entry.units_per_turn));
 }
 
+bool shares_node(const config::DriveTable& table, const config::DriveEntry& entry) {
+  return std::any_of(table.drives.begin(), table.drives.end(), [&entry](const config::DriveEntry& other) {
+    return other.node == entry.node && other.channel != entry.channel;
+  });
+}
+
 }  // namespace
 
 Drive::Drive(const config::DriveTable& table, const config::DriveEntry& entry, double period, double home)
     : node_(entry.node),
+      pdo_node_(entry.pdo_node()),
+      channel_(entry.channel),
+      leads_(table.is_first_of_node(entry)),
+      shares_node_(shares_node(table, entry)),
       mode_(table.mode),
       rad_per_velocity_unit_(kTurn / entry.velocity_units_per_turn),
       rated_current_(entry.rated_current),
@@ -37,8 +47,9 @@ Drive::Drive(const config::DriveTable& table, const config::DriveEntry& entry, d
       // the home offset of an absolute encoder is in the drive, before homing and after it
       home_(table.absolute_encoders ? 0 : home),
       pdos_(drive_pdos(table.mode)),
-      setup_(entry.node, drive_settings(table, entry, period)),
-      display_(entry.node, table.eds.find(kModeDisplay) != nullptr, period),
+      setup_(entry.node, node_settings(table, entry, period)),
+      display_(entry.node, of_channel(kModeDisplay, entry.channel),
+               table.eds.find(of_channel(kModeDisplay, entry.channel)) != nullptr, period),
       position_(kTurn / entry.units_per_turn, table.absolute_encoders, jump(entry, period)),
       answers_(table.missed_max, table.status_every),
       power_(table.switch_on_time, period),
@@ -47,20 +58,27 @@ Drive::Drive(const config::DriveTable& table, const config::DriveEntry& entry, d
 bool Drive::take(const can::Frame& frame, Tick tick, can::Frame& next) noexcept {
   next = {};
   if (frame.error || frame.remote || frame.fd) return false;
-  if (frame.id == kTransmitPdo1 + node_) {
+  if (frame.id == kTransmitPdo1 + pdo_node_) {
     take_feedback(frame);
-  } else if (frame.id == kTransmitPdo1 + 0x100 + node_) {
+  } else if (frame.id == kTransmitPdo1 + 0x100 + pdo_node_) {
     take_status(frame);
   } else if (frame.id == kHeartbeat + node_) {
     take_heartbeat(frame, tick, next);
   } else if (const auto emergency = emergency_of(frame); emergency && emergency->node == node_) {
-    if (emergency->code != 0) emergency_ = emergency->code;
+    take_emergency(emergency->code, tick);
   } else if (frame.id == kSdoResponse + node_) {
     take_response(frame, tick, next);
   } else {
     return false;
   }
   return true;
+}
+
+/// Of all axes of the node: `fault` tells whose it is.
+void Drive::take_emergency(std::uint16_t code, Tick tick) noexcept {
+  if (code == 0) return;
+  if (emergency_ == 0) emergency_at_ = tick;
+  emergency_ = code;
 }
 
 void Drive::take_heartbeat(const can::Frame& frame, Tick tick, can::Frame& next) noexcept {
@@ -158,8 +176,8 @@ DriveFault Drive::fault(Tick tick) const noexcept {
   if (!answers_.reports_switches()) return Silent{Silent::How::no_status, answers_.without_status_max()};
   if (tick > heard_ + heartbeat_ticks_) return HeartbeatLost{tick - heard_, heartbeat_ticks_};
   const DriveState now = state();
-  if (emergency_ != 0 || now == DriveState::fault || now == DriveState::fault_reaction_active)
-    return DriveError{emergency_};
+  const bool of_node = emergency_ != 0 && (!shares_node_ || tick > emergency_at_ + kEmergencyTicks);
+  if (of_node || has_error()) return DriveError{emergency_};
   if (power_.is_wrong(now, tick)) return WrongState{feedback_.statusword};
   const bool waits_for_mode = now == DriveState::switched_on && !may_operate();
   if (power_.wanted() && (now == DriveState::operation_enabled || waits_for_mode) && !display_.confirms() &&

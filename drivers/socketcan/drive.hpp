@@ -15,9 +15,10 @@
 
 namespace mrroc::edp {
 
-/// One CiA 402 drive as its master sees it: the position of its shaft (DrivePosition), its answers to the SYNCs
-/// (DriveAnswers), its power (DrivePower), its homing (HomingRun) and its faults. It does no I/O: its owner passes the
-/// frames in both directions. Time is the servo's tick. Allocates in the constructor only; one thread; never throws.
+/// One CiA 402 drive, or one axis of a drive with several, as its master sees it: the position of its shaft
+/// (DrivePosition), its answers to the SYNCs (DriveAnswers), its power (DrivePower), its homing (HomingRun) and its
+/// faults. It does no I/O: its owner passes the frames in both directions. Time is the servo's tick. Allocates in the
+/// constructor only; one thread; never throws.
 class Drive {
  public:
   /// Set-points of the shaft: A, rad, rad/s.
@@ -33,6 +34,12 @@ class Drive {
   Drive(const config::DriveTable& table, const config::DriveEntry& entry, double period, double home);
 
   canopen::NodeId node() const noexcept { return node_; }
+  /// The node number whose predefined identifiers its PDOs have.
+  canopen::NodeId pdo_node() const noexcept { return pdo_node_; }
+  /// Which axis of its node, from 1.
+  int channel() const noexcept { return channel_; }
+  /// The first of the axes of its node: it writes the settings of all, and starts it.
+  bool leads() const noexcept { return leads_; }
 
   // ---- received
   /// Takes any frame of the bus; true: it is from this drive. `next` is to be sent unless it is empty.
@@ -55,19 +62,27 @@ class Drive {
   double current() const noexcept { return feedback_.current; }      ///< A
   AxisSwitches switches() const noexcept;
   DriveFault fault(Tick tick) const noexcept;
+  /// It reports a fault in its own state.
+  bool has_error() const noexcept {
+    return state() == canopen::DriveState::fault || state() == canopen::DriveState::fault_reaction_active;
+  }
 
   // ---- commands
   /// The drive has been set up and started: from `tick` on it answers every SYNC.
   void begin(Tick tick) noexcept;
   void enable(bool on, Tick tick) noexcept;
-  /// Clears the faults and resets those of the drive, after a stop under way. A drive that has restarted is set up and
-  /// started again, with `next` as the first request. `position`: of the shaft, rad; a relative counter continues from
-  /// there.
-  void reset(Tick tick, double position, can::Frame& next) noexcept;
+  /// Answers arrive, and its switches are reported.
+  bool serves() const noexcept { return answers_.is_alive() && answers_.reports_switches(); }
+  /// Clears the faults and resets those of the drive, after a stop under way. `again`: the node has restarted; the
+  /// drive that leads sets it up and starts it again, with `next` as the first request. `position`: of the shaft, rad;
+  /// a relative counter continues from there.
+  void reset(Tick tick, double position, bool again, can::Frame& next) noexcept;
   /// True: the set-up is under way and its last request has not been answered within kAnswerTime; `next` is to be sent.
   bool repeats(Tick tick, can::Frame& next) noexcept;
   /// True: `request` asks for the mode display and is to be sent.
   bool asks(Tick tick, can::Frame& request) noexcept;
+  /// An answer to such a request is awaited. A node takes one request at a time.
+  bool awaits_mode(Tick tick) const noexcept { return display_.waits(tick); }
   /// The last `enable` or `reset` is not done, and there is still time.
   bool busy(Tick tick) const noexcept;
   /// Operation enabled, in the commanded mode as far as the drive reports it.
@@ -81,6 +96,7 @@ class Drive {
   double homing_shift() const noexcept { return home_ - position_.offset(); }
   /// False: the drive has restarted, and its positions are relative to that.
   bool knows_position() const noexcept { return !position_.lost(); }
+  void lose_position() noexcept { position_.lose(); }
   void position_known() noexcept { position_.found(); }
   /// The RPDO of this tick.
   can::Frame command(const Target& target) noexcept;
@@ -103,6 +119,7 @@ class Drive {
   void judge(canopen::NmtState state, Tick tick) noexcept;
   void take_feedback(const can::Frame& frame) noexcept;
   void take_status(const can::Frame& frame) noexcept;
+  void take_emergency(std::uint16_t code, Tick tick) noexcept;
   void take_heartbeat(const can::Frame& frame, Tick tick, can::Frame& next) noexcept;
   void take_response(const can::Frame& frame, Tick tick, can::Frame& next) noexcept;
   bool mode_is_late(Tick tick) const noexcept;
@@ -111,9 +128,13 @@ class Drive {
   can::Frame command_frame(std::uint16_t controlword, double position, double velocity, double torque) const noexcept;
 
   static constexpr double kPerMille = 1000;
+  /// Ticks after which an EMCY is a fault of every axis of its node: those that have it report it by then.
+  static constexpr Tick kEmergencyTicks = 10;
 
   // from the table
-  canopen::NodeId node_;
+  canopen::NodeId node_, pdo_node_;
+  int channel_;
+  bool leads_, shares_node_;
   canopen::DriveMode mode_;
   double rad_per_velocity_unit_, rated_current_, position_gain_;
   Tick heartbeat_ticks_, answer_ticks_;
@@ -132,6 +153,7 @@ class Drive {
   double velocity_ = 0;
   std::uint32_t inputs_ = 0;
   std::uint16_t emergency_ = 0;
+  Tick emergency_at_ = 0;
   bool restarted_ = false;
   Tick heard_ = 0;  ///< the last heartbeat
   Tick begun_ = 0;

@@ -34,19 +34,20 @@ void Drive::enable(bool on, Tick tick) noexcept {
   display_.want(mode_);
 }
 
-void Drive::reset(Tick tick, double position, can::Frame& next) noexcept {
+void Drive::reset(Tick tick, double position, bool again, can::Frame& next) noexcept {
   next = {};
   emergency_ = 0;
   answers_.clear();
   power_.reset(tick);
   homing_.cancel();
-  if (answers_.is_alive() && answers_.reports_switches()) {
+  if (!again) {
     heard_ = tick;
     return;
   }
   answers_.end();
   feedback_.statusword = 0;  // stale
   position_.assume_position(position);
+  if (!leads_) return;
   next = position_.lost() ? setup_.start() : setup_.resume();
   asked_ = tick;
 }
@@ -99,7 +100,7 @@ std::uint16_t Drive::controlword(bool release) noexcept {
 /// Position and velocity in the drive's units, torque in per mille of the rated one.
 can::Frame Drive::command_frame(std::uint16_t controlword, double position, double velocity,
                                 double torque) const noexcept {
-  can::Frame frame{kReceivePdo1 + node_, {}};
+  can::Frame frame{kReceivePdo1 + pdo_node_, {}};
   const DriveMode mode = homing_.selects_homing() ? DriveMode::homing : mode_;
   pdos_.command.write(frame, kControlword, controlword);
   pdos_.command.write(frame, kTargetPosition, whole<std::int64_t>(position));  // its low 32 bits

@@ -48,19 +48,34 @@ DrivePdos drive_pdos(DriveMode mode) {
           PdoMapping({{kVelocityActual, 4}, {kDigitalInputs, 4}})};
 }
 
-std::vector<config::NodeSetting> drive_settings(const config::DriveTable& table, const config::DriveEntry& drive,
-                                                double period) {
-  const DrivePdos pdos = drive_pdos(table.mode);
-  SettingList list(drive.node, table.eds, drive.settings);
-  list.add_pdo(kReceivePdoParameters, kReceivePdoMapping, kReceivePdo1 + drive.node, table.target_at_sync ? 1 : kAtOnce,
-               pdos.command);
-  list.add_pdo(kTransmitPdoParameters, kTransmitPdoMapping, kTransmitPdo1 + drive.node, 1, pdos.feedback);
-  list.add_pdo(kTransmitPdoParameters + 1, kTransmitPdoMapping + 1, kTransmitPdo1 + 0x100 + drive.node,
-               static_cast<std::uint8_t>(table.status_every), pdos.status);
-  list.switch_off_pdos_from(kTransmitPdoParameters + 2);
+namespace {
+
+/// What all axes of a node have in common. PDOs of its axes stay as they are.
+void add_common(SettingList& list, const config::DriveTable& table, const config::DriveEntry& first, double period) {
+  std::vector<std::uint16_t> used;
+  for (const config::DriveEntry& axis : table.drives)
+    if (axis.node == first.node)
+      for (const int number : {axis.first_pdo, axis.first_pdo + 1})
+        used.push_back(static_cast<std::uint16_t>(kTransmitPdoParameters + number - 1));
+  list.switch_off_pdos_but(used);
   list.add_sync(table.sync);
   list.add_heartbeats(table.master, table.heartbeat);
   list.add_known(kCyclePeriod, std::llround(period * 1e6), 4);
+}
+
+}  // namespace
+
+std::vector<config::NodeSetting> drive_settings(const config::DriveTable& table, const config::DriveEntry& drive,
+                                                double period) {
+  const DrivePdos pdos = drive_pdos(table.mode);
+  SettingList list(drive.node, table.eds, drive.settings, drive.channel);
+  const auto at = [&drive](int first) { return static_cast<std::uint16_t>(first + drive.first_pdo - 1); };
+  list.add_pdo(at(kReceivePdoParameters), at(kReceivePdoMapping), kReceivePdo1 + drive.pdo_node(),
+               table.target_at_sync ? 1 : kAtOnce, pdos.command);
+  list.add_pdo(at(kTransmitPdoParameters), at(kTransmitPdoMapping), kTransmitPdo1 + drive.pdo_node(), 1, pdos.feedback);
+  list.add_pdo(at(kTransmitPdoParameters + 1), at(kTransmitPdoMapping + 1), kTransmitPdo1 + 0x100 + drive.pdo_node(),
+               static_cast<std::uint8_t>(table.status_every), pdos.status);
+  if (table.is_first_of_node(drive)) add_common(list, table, drive, period);
   const auto [number, exponent] = period_of(table, period);
   list.add_known(kInterpolationTime, number, 1);
   list.add_known(kInterpolationExponent, exponent, 1);
@@ -76,6 +91,18 @@ std::vector<config::NodeSetting> drive_settings(const config::DriveTable& table,
     list.add_known(kHomingSpeedZero, speed(table, drive, drive.homing.speed_zero), 4);
   }
   return list.take();
+}
+
+std::vector<config::NodeSetting> node_settings(const config::DriveTable& table, const config::DriveEntry& drive,
+                                               double period) {
+  std::vector<config::NodeSetting> all;
+  if (!table.is_first_of_node(drive)) return all;
+  for (const config::DriveEntry& axis : table.drives) {
+    if (axis.node != drive.node) continue;
+    const std::vector<config::NodeSetting> own = drive_settings(table, axis, period);
+    all.insert(all.end(), own.begin(), own.end());
+  }
+  return all;
 }
 
 }  // namespace mrroc::edp

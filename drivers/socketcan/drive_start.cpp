@@ -22,10 +22,11 @@ constexpr std::uint32_t kProfile402 = 402;
 
 /// Checks the mode: a drive may accept a mode that it does not have, and stay in another.
 void CanHardware::check_modes(std::size_t axis, SdoClient& client) const {
-  if (table_.eds.find(kSupportedModes) == nullptr) return;
+  const Object modes = object_of(axis, kSupportedModes);
+  if (table_.eds.find(modes) == nullptr) return;
   std::uint64_t supported = 0;
   try {
-    supported = can::get(upload_repeated(client, drives_[axis].node(), kSupportedModes), 0, 4);
+    supported = can::get(upload_repeated(client, drives_[axis].node(), modes), 0, 4);
   } catch (const SdoError& error) {
     if (error.abort() == SdoAbort::no_such_object) return;  // an EDS file of a family of drives
     throw;
@@ -45,7 +46,7 @@ DriveState CanHardware::read_state(std::size_t axis, SdoClient& client) {
   can::Frame frame;
   const std::int64_t next_look = clock::monotonic_ns() + kBetweenLooks;
   while (clock::monotonic_ns() < next_look && bus_->receive(frame, next_look)) note(frame);
-  const auto statusword = upload_repeated(client, drives_[axis].node(), kStatusword);
+  const auto statusword = upload_repeated(client, drives_[axis].node(), object_of(axis, kStatusword));
   return drive_state(static_cast<std::uint16_t>(can::get(statusword, 0, 2)));
 }
 
@@ -56,7 +57,7 @@ void CanHardware::take_power(std::size_t axis, SdoClient& client) {
   };
   for (const std::uint16_t word : {kQuickStop, kDisableVoltage}) {
     if (!has_power(read_state(axis, client))) return;
-    download_repeated(client, drives_[axis].node(), kControlword, word, 2);
+    download_repeated(client, drives_[axis].node(), object_of(axis, kControlword), word, 2);
     const std::int64_t end = clock::monotonic_ns() + std::llround(table_.switch_on_time * clock::kSecond);
     while (clock::monotonic_ns() < end)
       if (!has_power(read_state(axis, client))) return;
@@ -74,11 +75,11 @@ void CanHardware::clear_fault(std::size_t axis, SdoClient& client) {
     if (clock::monotonic_ns() > end) break;
     if (state == DriveState::fault)
       for (const std::uint16_t word : {kDisableVoltage, kFaultReset, kDisableVoltage})
-        download_repeated(client, node, kControlword, word, 2);
+        download_repeated(client, node, object_of(axis, kControlword), word, 2);
   }
   std::uint16_t code = 0;
   try {
-    code = static_cast<std::uint16_t>(can::get(client.upload(node, kErrorCode), 0, 2));
+    code = static_cast<std::uint16_t>(can::get(client.upload(node, object_of(axis, kErrorCode)), 0, 2));
   } catch (const SdoError&) {
     fail(ErrorCode::drive_fault, axis, "stays in its fault, and reports no error code");
   }
@@ -86,6 +87,11 @@ void CanHardware::clear_fault(std::size_t axis, SdoClient& client) {
   std::snprintf(number.data(), number.size(), "%04Xh", code);
   fail(ErrorCode::drive_fault, axis,
        std::string("stays in its fault: error code ").append(number.data()).append(", ").append(error_text(code)));
+}
+
+void CanHardware::prepare_axes(std::size_t first, SdoClient& client) {
+  for (std::size_t i = first; i < drives_.size(); ++i)
+    if (drives_[i].node() == drives_[first].node()) prepare_drive(i, client);
 }
 
 void CanHardware::prepare_drive(std::size_t axis, SdoClient& client) {
@@ -98,8 +104,9 @@ void CanHardware::prepare_drive(std::size_t axis, SdoClient& client) {
   take_power(axis, client);
   clear_fault(axis, client);
   send(nmt_frame(NmtCommand::enter_pre_operational, node));
+  const int offset = table_.drives[axis].first_pdo - 1;
   for (const int parameters : {int{kReceivePdoParameters}, int{kTransmitPdoParameters}, kTransmitPdoParameters + 1})
-    free_pdo(client, node, static_cast<std::uint16_t>(parameters));
+    free_pdo(client, node, static_cast<std::uint16_t>(parameters + offset));
 }
 
 }  // namespace mrroc::edp

@@ -27,7 +27,9 @@ void add_pdos(SettingList& list, const config::IoEntry& node, int status_every) 
     else
       list.add_known(identifier, kPdoNotUsed | kPdoNoRemote | (kTransmitPdo1 + offset), 4);
   }
-  list.switch_off_pdos_from(kTransmitPdoParameters + IoPdos::kCount);
+  std::vector<std::uint16_t> used;
+  for (int i = 0; i < IoPdos::kCount; ++i) used.push_back(static_cast<std::uint16_t>(kTransmitPdoParameters + i));
+  list.switch_off_pdos_but(used);
 }
 
 /// The order is that of the profile: the value first, so that its mode never shows another one.

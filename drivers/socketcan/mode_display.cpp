@@ -8,8 +8,9 @@ namespace mrroc::edp {
 using canopen::SdoAbort;
 using Status = canopen::SdoTransfer::Status;
 
-ModeDisplay::ModeDisplay(canopen::NodeId node, bool there, double period) noexcept
+ModeDisplay::ModeDisplay(canopen::NodeId node, canopen::Object object, bool there, double period) noexcept
     : node_(node),
+      object_(object),
       there_(there),
       pause_ticks_(ticks_of(kPause, period)),
       answer_ticks_(ticks_of(kAnswerTime, period)) {}
@@ -22,7 +23,7 @@ void ModeDisplay::want(canopen::DriveMode mode) noexcept {
 
 bool ModeDisplay::asks(Tick tick, can::Frame& request) noexcept {
   if (confirms() || tick < due_) return false;
-  request = transfer_.upload(node_, canopen::kModeDisplay);
+  request = transfer_.upload(node_, object_);
   asked_ = tick;
   due_ = tick + answer_ticks_;
   return true;

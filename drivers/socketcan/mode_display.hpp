@@ -16,8 +16,8 @@ class ModeDisplay {
   static constexpr double kPause = 0.01;      ///< s between two requests
   static constexpr double kAnswerTime = 0.1;  ///< s to an answer; then the request is repeated
 
-  /// `there`: the drive's EDS file has the object. `period` in s.
-  ModeDisplay(canopen::NodeId node, bool there, double period) noexcept;
+  /// `object`: 6061h of its axis. `there`: the drive's EDS file has it. `period` in s.
+  ModeDisplay(canopen::NodeId node, canopen::Object object, bool there, double period) noexcept;
 
   /// Commands this mode; what has been shown before is discarded.
   void want(canopen::DriveMode mode) noexcept;
@@ -31,11 +31,16 @@ class ModeDisplay {
 
   /// True: `request` is to be sent.
   bool asks(Tick tick, can::Frame& request) noexcept;
+  /// An answer to the last request may still come.
+  bool waits(Tick tick) const noexcept {
+    return transfer_.status() == canopen::SdoTransfer::Status::waiting && tick < due_;
+  }
   /// Takes an SDO answer of the node; `next` is to be sent unless it is empty.
   void take(const can::Frame& frame, can::Frame& next) noexcept;
 
  private:
   canopen::NodeId node_;
+  canopen::Object object_;
   bool there_;
   Tick pause_ticks_, answer_ticks_;
   canopen::DriveMode wanted_ = canopen::DriveMode::none;

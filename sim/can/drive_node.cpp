@@ -16,13 +16,14 @@ constexpr std::int64_t kMillisecond = 1'000'000;
 DriveNode::DriveNode(const config::DriveTable& table, const config::DriveEntry& entry, const AxisParameters& axis,
                      double period, Send send)
     : node_(entry.node),
+      channel_(table, entry),
       units_per_rad_(entry.units_per_turn / (2 * std::numbers::pi)),
       velocity_units_per_rad_(entry.velocity_units_per_turn / (2 * std::numbers::pi)),
       rated_current_(entry.rated_current),
       reversed_(entry.units_per_turn < 0),
       absolute_(table.absolute_encoders),
       send_(std::move(send)),
-      store_(table.eds, entry.node),
+      store_(table.eds.of_axis(entry.channel, entry.first_pdo), entry.node),
       sdo_(entry.node, store_),
       motor_(axis, period) {}
 
@@ -37,7 +38,7 @@ std::int64_t DriveNode::units(double shaft) const noexcept {
 void DriveNode::send(can::Frame frame) {
   if (cut_) return;
   if (corrupts_ && frame.size != 0) frame.data[noise_() % frame.size] = static_cast<std::uint8_t>(noise_());
-  send_(frame);
+  if (const auto of_node = channel_.sent(frame)) send_(*of_node);
 }
 
 void DriveNode::boot(std::int64_t now) {
@@ -105,7 +106,8 @@ void DriveNode::take(const can::Frame& frame, std::int64_t now) {
   if (frame.id == kNmt && frame.size == 2 && (frame.data[1] == 0 || frame.data[1] == node_)) {
     nmt(static_cast<NmtCommand>(frame.data[0]), now);
   } else if (frame.id == kSdoRequest + node_) {
-    if (nmt_ != NmtState::stopped) take_request(frame, now);
+    const auto own = channel_.received(frame);
+    if (own && nmt_ != NmtState::stopped) take_request(*own, now);
   } else if (operational() && command_ && frame.id == command_->identifier) {
     commanded_ = true;
     if (owes_) send(last_feedback_);

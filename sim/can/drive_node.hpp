@@ -8,6 +8,7 @@
 #include "can/frame.hpp"
 #include "canopen/drive_state.hpp"
 #include "config/drives/drive_table.hpp"
+#include "sim/can/channel.hpp"
 #include "sim/can/motor_control.hpp"
 #include "sim/can/node_pdo.hpp"
 #include "sim/can/object_store.hpp"
@@ -17,8 +18,8 @@ namespace mrroc::sim {
 
 /// A simulated servo drive on a CAN bus: a CANopen node (NMT, SDO, PDOs as they are configured, heartbeats both ways,
 /// EMCY) with the drive profile CiA 402 (state machine, cyclic synchronous position, velocity and torque, homing by
-/// methods 3, 5, 35 and 37, quick stop). It is independent of bus and motor: its owner passes frames and measurements
-/// to it, takes its current, and gives the time, ns. One thread.
+/// methods 3, 5, 35 and 37, quick stop); or one axis of a drive with several (`Channel`). It is independent of bus and
+/// motor: its owner passes frames and measurements to it, takes its current, and gives the time, ns. One thread.
 class DriveNode {
  public:
   using Send = std::function<void(const can::Frame&)>;
@@ -102,6 +103,7 @@ class DriveNode {
   std::int64_t units(double shaft) const noexcept;
 
   canopen::NodeId node_;
+  Channel channel_;
   double units_per_rad_, velocity_units_per_rad_, rated_current_;
   bool reversed_, absolute_;
   Send send_;

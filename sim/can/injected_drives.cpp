@@ -1,5 +1,7 @@
 #include "sim/can/injected_drives.hpp"
 
+#include <utility>
+
 namespace mrroc::sim {
 
 namespace {
@@ -32,6 +34,15 @@ void set(Kind kind, bool on, std::int64_t now, DriveNode& node) {
   }
 }
 
+/// The wire and the power of a drive are those of all its axes.
+bool is_of_node(Kind kind) { return kind == Kind::silence || kind == Kind::hush || kind == Kind::restart; }
+
+void inject(const faults::InjectedFault& fault, bool on, std::int64_t now, std::vector<DriveNode>& nodes) {
+  DriveNode& meant = nodes[fault.axis];
+  for (DriveNode& node : nodes)
+    if (&node == &meant || (is_of_node(fault.kind) && node.node() == meant.node())) set(fault.kind, on, now, node);
+}
+
 }  // namespace
 
 InjectedDrives::InjectedDrives(const std::vector<faults::FaultSwitch>& faults, const RobotParameters& robot) {
@@ -43,8 +54,7 @@ InjectedDrives::InjectedDrives(const std::vector<faults::FaultSwitch>& faults, c
 void InjectedDrives::apply(Tick tick, std::int64_t now, std::vector<DriveNode>& nodes) {
   for (Injected& each : faults_) {
     const bool on = each.fault.on(tick);
-    if (on != each.on) set(each.fault.fault().kind, on, now, nodes[each.fault.fault().axis]);
-    each.on = on;
+    if (on != std::exchange(each.on, on)) inject(each.fault.fault(), on, now, nodes);
   }
 }
 

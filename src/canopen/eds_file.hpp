@@ -43,6 +43,13 @@ class EdsFile {
   /// `name`: for messages.
   static EdsFile parse(std::string_view text, const std::string& name);
 
+  /// Adds the objects of axis `channel` as copies of those of the first axis: of the profile, and of two PDOs in each
+  /// direction from number `first_pdo` on, which are not used by default.
+  void repeat_axis(int channel, int first_pdo);
+
+  /// The dictionary as a drive with this axis alone has it.
+  EdsFile of_axis(int channel, int first_pdo) const;
+
   const std::map<Object, ObjectEntry>& entries() const noexcept { return entries_; }
   /// Null when it has no such object.
   const ObjectEntry* find(Object object) const noexcept;

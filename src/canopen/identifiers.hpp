@@ -10,6 +10,8 @@ namespace mrroc::canopen {
 /// A node of a CANopen network, 1..127; 0 addresses all of them.
 using NodeId = std::uint8_t;
 inline constexpr NodeId kMaxNode = 127;
+/// PDOs of a node in each direction, at most (CiA 301).
+inline constexpr int kMaxPdos = 512;
 
 /// Identifiers of the predefined connection set (CiA 301, 7.3.5); with a node's number added except for the first
 /// three.

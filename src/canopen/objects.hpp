@@ -12,6 +12,26 @@ struct Object {
   friend constexpr auto operator<=>(const Object&, const Object&) = default;
 };
 
+/// Axes of one drive at most; the profile of each has 800h objects, from 6000h on (CiA 301, 7.4.1).
+inline constexpr int kMaxChannels = 8;
+inline constexpr std::uint16_t kProfile = 0x6000, kObjectsOfChannel = 0x800;
+
+/// Of the profile of some axis, not of the communication or the manufacturer.
+constexpr bool is_of_profile(Object object) noexcept {
+  return object.index >= kProfile && object.index < kProfile + kMaxChannels * kObjectsOfChannel;
+}
+
+/// The object of axis `channel`, from 1, of a drive with several axes, for an object of the first one. Objects outside
+/// the profile of the first one stay as they are.
+constexpr Object of_channel(Object object, int channel) noexcept {
+  if (object.index >= kProfile && object.index < kProfile + kObjectsOfChannel)
+    object.index = static_cast<std::uint16_t>(object.index + kObjectsOfChannel * (channel - 1));
+  return object;
+}
+
+/// Number of the first RPDO and TPDO of axis `channel`: 1, 65, 129 ... (CiA 301, 7.5.2.33).
+constexpr int first_pdo_of_channel(int channel) noexcept { return 1 + 64 * (channel - 1); }
+
 // CiA 301
 inline constexpr Object kDeviceType{0x1000};
 inline constexpr Object kErrorRegister{0x1001};

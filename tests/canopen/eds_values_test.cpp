@@ -130,5 +130,23 @@ TEST(EdsValues, IgnoresTypeAndAccessOfARecord) {
   }
 }
 
+TEST(EdsValues, RepeatsAnAxis) {
+  EdsFile file = parse(
+      "[1400]\nParameterName=R\nObjectType=9\n[1400sub1]\nParameterName=C\nDataType=7\nAccessType=rw\n"
+      "DefaultValue=$NODEID+0x200\n[1402sub1]\nParameterName=C\nDataType=7\nAccessType=rw\n"
+      "[6040]\nParameterName=W\nDataType=6\nAccessType=rw\nDefaultValue=3\n"
+      "[2000]\nParameterName=M\nDataType=6\nAccessType=rw\n");
+  const std::size_t before = file.entries().size();
+  file.repeat_axis(3, 129);
+  EXPECT_EQ(file.entries().size(), before + 2);
+  ASSERT_NE(file.find({0x7040}), nullptr);
+  EXPECT_EQ(default_number(*file.find({0x7040}), 1), 3);
+  ASSERT_NE(file.find({0x1480, 1}), nullptr);
+  EXPECT_EQ(default_number(*file.find({0x1480, 1}), 1), 0x80000000);
+  const EdsFile axis = file.of_axis(3, 129);
+  EXPECT_EQ(default_number(*axis.find({0x1400, 1}), 1), 0x80000000);
+  EXPECT_EQ(default_number(*axis.find({0x6040}), 1), 3);
+}
+
 }  // namespace
 }  // namespace mrroc::canopen

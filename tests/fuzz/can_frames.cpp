@@ -41,7 +41,7 @@ class Master {
     drive_.expect();
     ++tick_;
     drive_.close_cycle();
-    if (tick_ % kReset == 0) drive_.reset(tick_, drive_.position(), next);
+    if (tick_ % kReset == 0) drive_.reset(tick_, drive_.position(), !drive_.serves(), next);
     if (tick_ % kReset == kReset / 2) drive_.enable(true, tick_);
     if (tick_ % kReset == kReset - 5) drive_.home();
     if (drive_.asks(tick_, next)) check_sent(next);

@@ -6,8 +6,10 @@
 #include <string>
 #include <thread>
 
+#include "replace.hpp"
 #include "system/held_threads.hpp"
 #include "system/mrroc_run.hpp"
+#include "system/trace_steps_of.hpp"
 #include "text_of.hpp"
 
 namespace mrroc::test::can_lockstep_test {
@@ -54,6 +56,33 @@ TEST(CanLockstep, RunsAreEqualBesideBusyProcessesAndWithHeldDrives) {
       EXPECT_EQ(hash_of_run(deployment, folder.path() / ("busy" + std::to_string(i) + ".mcap")), quiet);
   }
   EXPECT_EQ(hash_of_run(deployment, folder.path() / "held.mcap", 2), quiet);
+}
+
+/// Two drives of three axes in the place of six. Their modes are confirmed one after the other, so the task starts
+/// later.
+TEST(CanLockstep, DrivesWithSeveralAxesRunAsOneForEachAxis) {
+  const ScratchFolder folder;
+  const fs::path deployment = press_on_bus(folder);
+  std::string drives = text_of(fs::path(MRROC_SOURCE_DIR) / "robots/irb6/irb6_drives.toml");
+  for (int axis = 5; axis >= 0; --axis) {
+    const std::string node = std::to_string(1 + axis / 3 * 3), channel = std::to_string(1 + axis % 3);
+    replace(drives, "node = " + std::to_string(axis + 1) + "\n", "node = " + node + "\nchannel = " + channel + "\n");
+  }
+  std::string text = text_of(deployment);
+  replace(text, "simulated = true",
+          "simulated = true\ndrives = '" + folder.write("drives.toml", drives).string() + "'");
+  const fs::path several = folder.write("several.toml", text);
+  const std::string hash = hash_of_run(several, folder.path() / "first.mcap");
+  {
+    const Load load(4);
+    EXPECT_EQ(hash_of_run(several, folder.path() / "busy.mcap"), hash);
+  }
+  expect_laws(folder.path() / "first.mcap");
+  hash_of_run(deployment, folder.path() / "one.mcap");
+  const Steps found = steps_of(folder.path() / "first.mcap"), expected = steps_of(folder.path() / "one.mcap");
+  ASSERT_EQ(found.size(), expected.size());
+  const Tick later = found.front().tick - expected.front().tick;
+  for (std::size_t i = 0; i < found.size(); ++i) EXPECT_EQ(found[i].tick, expected[i].tick + later) << i;
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ BusLoad bus_load(const DriveTable& drives, const IoTable& io, double period) {
   BusLoad load;
   load.cycle = frame_bits(kSync) + axes * (frame_bits(kFeedback) + frame_bits(command_of(drives.mode)));
   double status = axes * frame_bits(kStatus);
-  double beats = (axes + 1 + static_cast<double>(io.nodes.size())) * frame_bits(kHeartbeat);
+  double beats = static_cast<double>(drives.nodes() + 1 + io.nodes.size()) * frame_bits(kHeartbeat);
   for (const IoEntry& node : io.nodes) {
     status += terminal_bits(node.digital_inputs.count, node.analog_inputs.count);
     beats += terminal_bits(node.digital_outputs.count, node.analog_outputs.count);

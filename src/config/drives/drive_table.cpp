@@ -5,6 +5,7 @@
 #include <numbers>
 #include <tuple>
 
+#include "config/drives/drive_address.hpp"
 #include "config/drives/drive_objects.hpp"
 #include "config/table.hpp"
 #include "config/text/message_text.hpp"
@@ -99,7 +100,7 @@ double read_rated_current(const Table& table, const AxisParameters& axis) {
 DriveEntry read_drive(const Table& table, const AxisParameters& axis, DriveMode mode) {
   DriveEntry drive;
   drive.axis = axis.name;
-  drive.node = static_cast<canopen::NodeId>(table.integer("node", 1, canopen::kMaxNode));
+  read_address(table, drive);
   drive.units_per_turn = read_units(table, axis);
   if (table.boolean_or("reversed", false)) drive.units_per_turn = -drive.units_per_turn;
   drive.rated_current = read_rated_current(table, axis);
@@ -118,8 +119,9 @@ std::vector<const Table*> by_axis(const Table& file, const std::vector<Table>& t
   for (const AxisParameters& axis : robot.axes) names.push_back(axis.name);
   std::vector<const Table*> sorted(names.size(), nullptr);
   for (const Table& table : tables) {
-    table.only({"axis", "node", "units_per_turn", "velocity_units_per_turn", "reversed", "rated_current",
-                "position_gain", "homing_method", "homing_speed_switch", "homing_speed_zero", "objects"});
+    table.only({"axis", "node", "channel", "first_pdo", "pdo_node", "units_per_turn", "velocity_units_per_turn",
+                "reversed", "rated_current", "position_gain", "homing_method", "homing_speed_switch",
+                "homing_speed_zero", "objects"});
     const std::string name = table.choice("axis", names);
     const Table*& place = sorted[static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin())];
     if (place != nullptr) table.fail("axis", in_quotes(name) + " has an earlier drive", "one drive for each axis");
@@ -142,20 +144,35 @@ std::uint32_t read_sync(const Table& table, const DriveTable& drives) {
   return sync;
 }
 
-/// The EMCY of a node has an identifier in the range of the SYNCs.
-void check_emergency(const Table& table, canopen::NodeId node, std::uint32_t sync) {
-  if (sync != canopen::kSync && node == sync - canopen::kEmergency)
-    table.fail("node", std::to_string(node) + ", whose EMCY has the identifier of the table's 'sync'", "another one");
+/// The framework's EDS file describes one axis, and stands for each axis of a drive.
+void extend_general_eds(const Table& file, const std::vector<const Table*>& tables, DriveTable& drives) {
+  if (file.text("eds") != kGeneralDriveEds) return;
+  for (const Table* table : tables) {
+    DriveEntry drive;
+    read_address(*table, drive);
+    if (drive.channel != 1) drives.eds.repeat_axis(drive.channel, drive.first_pdo);
+  }
 }
 
-void check_node(const Table& table, canopen::NodeId node, const DriveTable& drives) {
-  if (node == drives.master)
-    table.fail("node", std::to_string(node) + " is the master's", "another one, or another 'master' of the table");
-  check_emergency(table, node, drives.sync);
-  for (const DriveEntry& drive : drives.drives)
-    if (drive.node == node)
-      table.fail("node", std::to_string(node) + " is the node of the drive of " + in_quotes(drive.axis),
-                 "a unique node");
+/// The settings of the PDOs that the EDP sets up for the axes of a node; those of the first axis are checked before.
+void check_pdos(const Table& table, const DriveEntry& drive, const std::vector<NodeSetting>& own) {
+  for (const NodeSetting& setting : own)
+    for (const int first : {int{canopen::kReceivePdoParameters}, int{canopen::kReceivePdoMapping},
+                            int{canopen::kTransmitPdoParameters}, int{canopen::kTransmitPdoMapping}})
+      if (const int offset = setting.object.index - first - drive.first_pdo + 1; offset == 0 || offset == 1)
+        table.table("objects").fail(setting.name, "is of a PDO that the EDP sets up itself",
+                                    "an object that it leaves alone");
+}
+
+/// Of all drives: to those of a node that has several axes, the objects common to them are written once.
+std::vector<NodeSetting> settings_of(const DriveEntry& drive, bool first, const std::vector<NodeSetting>& common,
+                                     const std::vector<NodeSetting>& own) {
+  std::vector<NodeSetting> all;
+  for (const NodeSetting& setting : common)
+    if (first || canopen::is_of_profile(setting.object)) all.push_back(setting);
+  all.insert(all.end(), own.begin(), own.end());
+  for (NodeSetting& setting : all) setting.object = of_channel(setting.object, drive.channel);
+  return all;
 }
 
 void read_drives(const Table& file, const RobotParameters& robot, DriveTable& drives) {
@@ -164,16 +181,31 @@ void read_drives(const Table& file, const RobotParameters& robot, DriveTable& dr
   std::vector<NodeSetting> common;
   read_settings(file, drives.eds, check, common);
   const std::vector<const Table*> sorted = by_axis(file, tables, robot);
+  extend_general_eds(file, sorted, drives);
   for (std::size_t i = 0; i < sorted.size(); ++i) {
     DriveEntry drive = read_drive(*sorted[i], robot.axes[i], drives.mode);
-    check_node(*sorted[i], drive.node, drives);
-    drive.settings = common;
-    read_settings(*sorted[i], drives.eds, check, drive.settings);
+    check_address(*sorted[i], drive, drives);
+    std::vector<NodeSetting> own;
+    read_settings(*sorted[i], drives.eds, check, own);
+    if (drive.channel != 1) check_pdos(*sorted[i], drive, own);
     drives.drives.push_back(std::move(drive));
+    DriveEntry& added = drives.drives.back();
+    added.settings = settings_of(added, drives.is_first_of_node(added), common, own);
   }
 }
 
 }  // namespace
+
+bool DriveTable::is_first_of_node(const DriveEntry& drive) const noexcept {
+  const auto first = std::find_if(drives.begin(), drives.end(),
+                                  [&drive](const DriveEntry& other) { return other.node == drive.node; });
+  return first != drives.end() && first->channel == drive.channel;
+}
+
+std::size_t DriveTable::nodes() const noexcept {
+  return static_cast<std::size_t>(
+      std::count_if(drives.begin(), drives.end(), [this](const DriveEntry& drive) { return is_first_of_node(drive); }));
+}
 
 DriveTable read_drive_table(const std::filesystem::path& file, const RobotParameters& robot) {
   const Table table = Table::load(file);

@@ -50,7 +50,7 @@ void check_node(const Table& table, canopen::NodeId node, const DriveTable& driv
   const std::string number = std::to_string(node);
   if (node == drives.master) table.fail("node", number + " is the master's", "another one");
   for (const DriveEntry& drive : drives.drives)
-    if (drive.node == node)
+    if (drive.node == node || drive.pdo_node() == node)
       table.fail("node", number + " is the node of the drive of " + in_quotes(drive.axis), "a unique node");
   for (const IoEntry& other : io.nodes)
     if (other.node == node) table.fail("node", number + " is that of an earlier I/O node", "a unique node");

@@ -21,7 +21,11 @@ struct Participant {
 
 std::vector<Participant> participants(const BusNodes& nodes) {
   std::vector<Participant> all{{nodes.drives.master, "master"}};
-  for (const DriveEntry& drive : nodes.drives.drives) all.push_back({drive.node, "drive of " + in_quotes(drive.axis)});
+  for (const DriveEntry& drive : nodes.drives.drives) {
+    all.push_back({drive.node, "drive of " + in_quotes(drive.axis)});
+    if (drive.pdo_node() != drive.node)
+      all.push_back({drive.pdo_node(), "pdo_node of the drive of " + in_quotes(drive.axis)});
+  }
   for (const IoEntry& entry : nodes.io.nodes) all.push_back({entry.node, "I/O node"});
   return all;
 }

@@ -11,9 +11,9 @@ TEST_F(DriveTableTest, ReportsAMisspeltKeyFirst) {
             "crane_drives.toml:6: drives[0].rated_curent: unknown key, did you mean 'rated_current'?");
   EXPECT_EQ(
       message(table("", "homing = 3\n")),
-      "crane_drives.toml:7: drives[0].homing: unknown key, expected 'axis', 'homing_method', 'homing_speed_switch', "
-      "'homing_speed_zero', 'node', 'objects', 'position_gain', 'rated_current', 'reversed', 'units_per_turn' or "
-      "'velocity_units_per_turn'");
+      "crane_drives.toml:7: drives[0].homing: unknown key, expected 'axis', 'channel', 'first_pdo', 'homing_method', "
+      "'homing_speed_switch', 'homing_speed_zero', 'node', 'objects', 'pdo_node', 'position_gain', 'rated_current', "
+      "'reversed', 'units_per_turn' or 'velocity_units_per_turn'");
 }
 
 TEST_F(DriveTableTest, RefusesMissingKeys) {
@@ -113,10 +113,48 @@ TEST_F(DriveTableTest, DetectsARatedCurrentInMilliamperes) {
             "crane_drives.toml:6: drives[0].rated_current: 0 is out of range, expected a number from 0.001 to 10000");
 }
 
+TEST_F(DriveTableTest, RefusesAxesOfADriveThatItCannotHave) {
+  const std::string head = "eds = 'cia402.eds'\nmode = 'position'\n", second = "channel = 2\n";
+  std::filesystem::copy_file(scratch_.path() / "drive.eds", scratch_.path() / "cia402.eds");
+  const auto with = [&](const std::string& arm, const std::string& belt = drive("belt", 5)) {
+    return message(head + drive("column", 1) + arm + belt);
+  };
+  EXPECT_EQ(with(drive("arm", 1, second)), "");
+  EXPECT_EQ(message("eds = 'drive.eds'\nmode = 'position'\n" + drive("column", 1) + drive("arm", 1, second) +
+                    drive("belt", 3)),
+            "crane_drives.toml:11: drives[1].channel: needs object 6840h:0, which the EDS file does not have, expected "
+            "an axis of these drives");
+  EXPECT_EQ(with(drive("arm", 1, "channel = 9\n")),
+            "crane_drives.toml:11: drives[1].channel: 9 is out of range, expected an integer from 1 to 8");
+  EXPECT_EQ(
+      with(drive("arm", 1, "channel = 1\n")),
+      "crane_drives.toml:11: drives[1].channel: 1 of node 1 is the drive of 'column', expected another axis of the "
+      "drive");
+  EXPECT_EQ(with(drive("arm", 1, second + "first_pdo = 2\n")),
+            "crane_drives.toml:12: drives[1].first_pdo: 2, but two PDOs from 1 on are those of the axis 'column', "
+            "expected two PDOs for each axis");
+  EXPECT_EQ(with(drive("arm", 1, second), drive("belt", 2)),
+            "crane_drives.toml:14: drives[2].node: 2 is the node of the drive of 'arm', expected a unique node");
+  EXPECT_EQ(with(drive("arm", 1, second + "pdo_node = 5\n")),
+            "crane_drives.toml:15: drives[2].node: 5 is the node of the drive of 'arm', expected a unique node");
+  EXPECT_EQ(
+      with(drive("arm", 1, second + "pdo_node = 127\n")),
+      "crane_drives.toml:12: drives[1].pdo_node: 127 is the master's, expected another one, or another 'master' of "
+      "the table");
+  EXPECT_EQ(message("eds = 'cia402.eds'\nmode = 'position'\nmaster = 1\n" + drive("column", 127) +
+                    drive("arm", 127, second) + drive("belt", 3)),
+            "crane_drives.toml:8: drives[1].pdo_node: missing, and 128, node + channel - 1, is no node's number, "
+            "expected a number that no node has");
+  EXPECT_EQ(with(drive("arm", 1, second + "[drives.objects]\n'0x1840:1' = 7\n")),
+            "crane_drives.toml:13: drives[1].objects.'0x1840:1': is of a PDO that the EDP sets up itself, expected an "
+            "object that it leaves alone");
+}
+
 TEST_F(DriveTableTest, RefusesNodesInUse) {
   const std::string head = "eds = 'drive.eds'\nmode = 'position'\n";
   EXPECT_EQ(message(head + drive("column", 1) + drive("arm", 2) + drive("belt", 1)),
-            "crane_drives.toml:13: drives[2].node: 1 is the node of the drive of 'column', expected a unique node");
+            "crane_drives.toml:13: drives[2].node: 1 is the node of the drive of 'column', expected a unique node, "
+            "or a 'channel' for each axis of a drive");
   EXPECT_EQ(message(head + drive("column", 1) + drive("arm", 2) + drive("belt", 127)),
             "crane_drives.toml:13: drives[2].node: 127 is the master's, expected another one, or another 'master' of "
             "the table");

@@ -109,6 +109,30 @@ TEST_F(DriveTableTest, SettingsAreNamedAsInTheEdsFileOrByAddress) {
   EXPECT_EQ(drives.drives[1].settings.size(), 2u);
 }
 
+/// Objects of the profile are given as those of the first axis.
+TEST_F(DriveTableTest, ReadsSeveralAxesOfADrive) {
+  fs::copy_file(scratch_.path() / "drive.eds", scratch_.path() / "cia402.eds");
+  const DriveTable table = read("eds = 'cia402.eds'\nmode = 'position'\n[objects]\n'0x6072' = 1500\n'0x1006' = 2000\n" +
+                                drive("column", 4) + drive("arm", 4, "channel = 2\n[drives.objects]\n'0x6065' = 9\n") +
+                                drive("belt", 4, "channel = 4\nfirst_pdo = 7\npdo_node = 20\n"));
+  ASSERT_EQ(table.drives.size(), 3u);
+  EXPECT_EQ(table.nodes(), 1u);
+  EXPECT_TRUE(table.is_first_of_node(table.drives[0]));
+  EXPECT_FALSE(table.is_first_of_node(table.drives[1]));
+  const DriveEntry &arm = table.drives[1], &belt = table.drives[2];
+  EXPECT_EQ(arm.channel, 2);
+  EXPECT_EQ(arm.first_pdo, 65);
+  EXPECT_EQ(arm.pdo_node(), 5);
+  ASSERT_EQ(arm.settings.size(), 2u);
+  EXPECT_EQ(arm.settings[0].object, (canopen::Object{0x6872}));
+  EXPECT_EQ(arm.settings[1].object, (canopen::Object{0x6865}));
+  EXPECT_EQ(belt.first_pdo, 7);
+  EXPECT_EQ(belt.pdo_node(), 20);
+  EXPECT_EQ(table.drives[0].settings.size(), 2u);
+  EXPECT_NE(table.eds.find({0x7840}), nullptr);
+  EXPECT_NE(table.eds.find({0x1806, 1}), nullptr);
+}
+
 TEST_F(DriveTableTest, DrivesAreInTheOrderOfTheAxes) {
   const DriveTable drives =
       read("eds = 'drive.eds'\nmode = 'torque'\n" + drive("belt", 7) + drive("column", 9) + drive("arm", 8));

@@ -41,7 +41,7 @@ TEST_F(DriveTest, DriveThatAlwaysAnswersLateIsSilent) {
   EXPECT_EQ(text_of(fault),
             "axis 1 (x), tick 7: its answers come later than answer_time after more than 2 SYNCs in a row");
   can::Frame next;
-  drive.reset(tick, drive.position(), next);
+  drive.reset(tick, drive.position(), !drive.serves(), next);
   EXPECT_EQ(next.id, 0u) << "it is in service and needs no new set-up";
   EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::hardware_silent) << "the fault persists";
   say(status_bits(DriveState::operation_enabled), 40);
@@ -108,7 +108,7 @@ TEST_F(DriveTest, MissingSwitchReportsAreAFault) {
   EXPECT_EQ(code_of(fault), ErrorCode::hardware_silent);
   EXPECT_EQ(text_of(fault), "axis 1 (x), tick 7: no TPDO 2, velocity and switches, after more than 12 SYNCs in a row");
   can::Frame next;
-  drive.reset(tick, drive.position(), next);
+  drive.reset(tick, drive.position(), !drive.serves(), next);
   EXPECT_EQ(next.id, 0x601u) << "it is set up again";
 }
 
@@ -135,7 +135,7 @@ TEST_F(DriveTest, BootUpInServiceIsARestart) {
   drive.take(heartbeat_frame(1, NmtState::boot_up), tick, next);
   EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::drive_restarted);
   EXPECT_FALSE(drive.knows_position());
-  drive.reset(tick, drive.position(), next);
+  drive.reset(tick, drive.position(), !drive.serves(), next);
   EXPECT_EQ(next.id, 0x601u) << "it is set up again";
 }
 
@@ -149,7 +149,7 @@ TEST_F(DriveTest, DriveThatCountsFromZeroContinuesAtItsAssumedPosition) {
     say(status_bits(DriveState::operation_enabled), 1000);
     say(status_bits(DriveState::operation_enabled), -2000000000);
     drive.take(heartbeat_frame(1, NmtState::boot_up), tick, next);
-    drive.reset(tick, static_cast<double>(believed) * unit, next);
+    drive.reset(tick, static_cast<double>(believed) * unit, !drive.serves(), next);
     drive.begin(tick);
     say(status_bits(DriveState::switch_on_disabled), 3);
     EXPECT_NEAR(drive.position(), static_cast<double>(believed) * unit, 1e-5);
@@ -159,7 +159,7 @@ TEST_F(DriveTest, DriveThatCountsFromZeroContinuesAtItsAssumedPosition) {
     // a drive that has not restarted has continued counting
     drive.position_known();
     for (int i = 0; i < 5; ++i) say_nothing();
-    drive.reset(tick, drive.position(), next);
+    drive.reset(tick, drive.position(), !drive.serves(), next);
     drive.begin(tick);
     say(status_bits(DriveState::switch_on_disabled), 9);
     EXPECT_NEAR(drive.position(), static_cast<double>(believed + 6) * unit, 1e-5);
@@ -171,7 +171,7 @@ TEST_F(DriveTest, DriveThatBootsWhileOutOfServiceHasLostItsPosition) {
   for (int i = 0; i < 5; ++i) say_nothing();
   ASSERT_EQ(code_of(drive.fault(tick)), ErrorCode::hardware_silent);
   can::Frame next;
-  drive.reset(tick, drive.position(), next);  // no answer
+  drive.reset(tick, drive.position(), !drive.serves(), next);  // no answer
   drive.take(heartbeat_frame(1, NmtState::boot_up), tick, next);
   EXPECT_FALSE(drive.knows_position());
   EXPECT_EQ(next.id, 0x601u) << "the drive has lost its set-up, which starts again";
@@ -203,7 +203,7 @@ TEST_F(DriveTest, DriveThatAnswersTooOftenHasADuplicate) {
   EXPECT_EQ(std::get<DuplicateNode>(drive.fault(tick)).cycles, 3);
   say(on);
   EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::encoder_fault) << "until it is reset";
-  drive.reset(tick, drive.position(), next);
+  drive.reset(tick, drive.position(), !drive.serves(), next);
   EXPECT_NE(code_of(drive.fault(tick)), ErrorCode::encoder_fault);
 }
 
@@ -212,7 +212,7 @@ TEST_F(DriveTest, UnansweredSetUpRequestIsRepeated) {
   can::Frame next, again;
   drive.take(heartbeat_frame(1, NmtState::boot_up), tick, next);
   EXPECT_FALSE(drive.repeats(tick + 1000, again)) << "no set-up is running";
-  drive.reset(tick, drive.position(), next);
+  drive.reset(tick, drive.position(), !drive.serves(), next);
   ASSERT_EQ(next.id, 0x601u);
   const auto patience = static_cast<Tick>(Drive::kAnswerTime / kCanPeriod);
   EXPECT_FALSE(drive.repeats(tick + patience, again));
@@ -238,7 +238,7 @@ TEST_F(DriveTest, AxisKeepsItsPositionWhenItsDriveCountsFromZero) {
   const double there = drive.position();
   can::Frame next;
   drive.take(heartbeat_frame(1, NmtState::boot_up), tick, next);
-  drive.reset(tick, drive.position(), next);
+  drive.reset(tick, drive.position(), !drive.serves(), next);
   say(status_bits(DriveState::switch_on_disabled), 12);
   EXPECT_NEAR(drive.position(), there, 1e-9);
   EXPECT_FALSE(drive.knows_position());
@@ -254,7 +254,7 @@ TEST_F(DriveTest, SilentAxisIsAtThePositionOfItsDrive) {
   const double before = drive.position();
   for (int i = 0; i < 5; ++i) say_nothing();
   can::Frame next;
-  drive.reset(tick, drive.position(), next);
+  drive.reset(tick, drive.position(), !drive.serves(), next);
   say(status_bits(DriveState::switch_on_disabled), -kEnd + 2);
   EXPECT_NEAR(drive.position() - before, 2 * 2 * std::numbers::pi / 4000, 1e-6);
 }
@@ -267,7 +267,7 @@ TEST_F(DriveTest, AxisIsNotSynchronisedAfterAnUnreportedRestart) {
     switch_on();
     for (int i = 0; i < 5; ++i) say_nothing();
     can::Frame next;
-    drive.reset(tick, drive.position(), next);
+    drive.reset(tick, drive.position(), !drive.serves(), next);
     EXPECT_EQ(next, (can::Frame{0x601, {0x40, 0x17, 0x10, 0, 0, 0, 0, 0}}));
     EXPECT_TRUE(drive.knows_position());
     const auto period = static_cast<std::uint8_t>(restarted ? 0 : 1000 * table.heartbeat);
@@ -282,7 +282,7 @@ TEST_F(DriveTest, DriveThatRefusesItsSetUpReportsObjectAndReason) {
   switch_on();
   can::Frame next;
   drive.take(heartbeat_frame(1, NmtState::boot_up), tick, next);
-  drive.reset(tick, drive.position(), next);
+  drive.reset(tick, drive.position(), !drive.serves(), next);
   const auto low = next.data[1], high = next.data[2], sub = next.data[3];
   drive.take({0x581, {0x80, low, high, sub, 0x22, 0x00, 0x00, 0x08}}, tick, next);
   const DriveFault fault = drive.fault(tick);
@@ -292,7 +292,7 @@ TEST_F(DriveTest, DriveThatRefusesItsSetUpReportsObjectAndReason) {
   std::string expected = "axis 1 (x), tick 7: it refuses to be set up: object ";
   expected.append(object).append(", ").append(describe(SdoAbort{0x08000022}));
   EXPECT_EQ(text, expected);
-  drive.reset(tick, drive.position(), next);
+  drive.reset(tick, drive.position(), !drive.serves(), next);
   EXPECT_TRUE(std::holds_alternative<Restarted>(drive.fault(tick))) << "it is tried again";
 }
 

@@ -82,7 +82,7 @@ TEST(HomingRun, TakesEveryEdgeOfItsTableAndNoOther) {
   std::mt19937 random(6);
   Edges<P> seen;
   for (const bool available : {true, false}) {
-    ModeDisplay display(1, available, kStep);
+    ModeDisplay display(1, canopen::kModeDisplay, available, kStep);
     HomingRun run(DriveMode::cyclic_position, kStep);
     std::uint16_t word = 0;
     for (Tick tick = 1; tick < 300'000; ++tick) {

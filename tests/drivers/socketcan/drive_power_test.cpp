@@ -36,7 +36,7 @@ TEST_F(DriveTest, FaultIsResetByEdges) {
   EXPECT_EQ(code_of(fault), ErrorCode::drive_fault);
   EXPECT_EQ(text_of(fault), "axis 1 (x), tick 7: fault, no EMCY");
   can::Frame next;
-  drive.reset(tick, drive.position(), next);
+  drive.reset(tick, drive.position(), !drive.serves(), next);
   EXPECT_TRUE(drive.busy(tick));
   EXPECT_EQ(controlword(), kFaultReset);
   EXPECT_EQ(controlword(), kDisableVoltage);
@@ -53,7 +53,7 @@ TEST_F(DriveTest, ResetLetsARunningStopEnd) {
   EXPECT_EQ(controlword(), kQuickStop);
   say(status_bits(DriveState::quick_stop_active));
   can::Frame next;
-  drive.reset(tick, drive.position(), next);
+  drive.reset(tick, drive.position(), !drive.serves(), next);
   for (int i = 0; i < 50; ++i) {
     EXPECT_TRUE(drive.busy(tick));
     EXPECT_EQ(controlword(), kQuickStop);
@@ -67,7 +67,7 @@ TEST_F(DriveTest, ResetLetsARunningStopEnd) {
   say(status_bits(DriveState::operation_enabled));
   drive.enable(false, tick);
   for (int i = 0; i < 1000; ++i) {
-    if (i % 100 == 0) drive.reset(tick, drive.position(), next);
+    if (i % 100 == 0) drive.reset(tick, drive.position(), !drive.serves(), next);
     EXPECT_EQ(controlword(), kQuickStop);
     say(status_bits(DriveState::quick_stop_active));
   }
@@ -128,7 +128,7 @@ TEST_F(DriveTest, DriveThatKeepsItsPowerIgnoresItsControlword) {
   can::Frame next;
   drive.take(heartbeat_frame(1, NmtState::stopped), tick, next);
   EXPECT_FALSE(drive.ignores_controlword()) << "it has been stopped";
-  drive.reset(tick, drive.position(), next);
+  drive.reset(tick, drive.position(), !drive.serves(), next);
   EXPECT_EQ(next.id, 0x601u) << "and is set up again";
   // a drive that slows down has the time of its stop, and then that for releasing the power
   drive.begin(tick);

@@ -93,7 +93,7 @@ TEST_F(DriveTest, EmergencyIsKeptUntilItsReset) {
   EXPECT_EQ(std::get<DriveError>(drive.fault(tick)).code, 0x3220);
   drive.take(to_frame({1, 0, 0, {}}), tick, next);
   EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::drive_fault) << "it may have been too short to be seen";
-  drive.reset(tick, drive.position(), next);
+  drive.reset(tick, drive.position(), !drive.serves(), next);
   EXPECT_EQ(code_of(drive.fault(tick)), ErrorCode::none);
 }
 
