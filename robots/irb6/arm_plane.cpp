@@ -55,8 +55,8 @@ std::optional<Vector3d> ArmPlane::joints(double forward, double up, double wrist
 }
 
 double ArmPlane::behind(const RobotParameters& parameters, int column) const noexcept {
-  const AxisParameters& lower = parameters.axes[static_cast<std::size_t>(column + 1)];
-  const AxisParameters& upper = parameters.axes[static_cast<std::size_t>(column + 2)];
+  const AxisParameters& lower = parameters.axes[static_cast<std::size_t>(column) + 1];
+  const AxisParameters& upper = parameters.axes[static_cast<std::size_t>(column) + 2];
   const double arms = lower_arm_ * least_cosine(lower.position_min, lower.position_max) +
                       upper_arm_ * least_cosine(lower.position_min + upper.position_min + pi / 2,
                                                 lower.position_max + upper.position_max + pi / 2);

@@ -34,6 +34,7 @@ mjvCamera find_camera(const mjModel& model, const std::string& name) {
 
 std::vector<std::string> camera_names(const mjModel& model) {
   std::vector<std::string> names;
+  names.reserve(static_cast<std::size_t>(model.ncam));
   for (int i = 0; i < model.ncam; ++i) names.emplace_back(model.names + model.name_camadr[i]);
   return names;
 }

@@ -41,10 +41,10 @@ void check_same_compiler(const MjcfPart& scene, const MjcfPart& robot) {
     const std::string in_robot = robot.compiler.value_or(key, fallback);
     if (in_scene == in_robot) continue;
     const Origin& at = scene.compiler.origin;
-    throw ConfigurationError(
-        *at.file, at.line, "compiler." + std::string(key),
-        "\"" + in_scene + "\" differs from \"" + in_robot + "\" in " + robot.compiler.origin.file->string(),
-        "<compiler " + std::string(key) + "=\"" + in_robot + "\"/> in every file");
+    throw ConfigurationError(*at.file, at.line, "compiler." + std::string(key),
+                             std::string("\"").append(in_scene).append("\" differs from \"").append(in_robot) +
+                                 "\" in " + robot.compiler.origin.file->string(),
+                             "<compiler " + std::string(key) + "=\"" + in_robot + "\"/> in every file");
   }
 }
 
@@ -146,6 +146,7 @@ Composition compose(const std::filesystem::path& scene_file, const std::vector<R
   std::move(sections.begin(), sections.end(), std::back_inserter(root.children));
   root.children.push_back(element("worldbody", {}, scene.origin, std::move(world)));
   std::vector<std::string> names;
+  names.reserve(robots.size());
   for (const RobotPart& robot : robots) names.push_back(robot.name);
   check_names(root, names);
   Text text = write(root);

@@ -69,7 +69,8 @@ Model load_model(const Composition& composition) {
   Vfs files;
   try {
     mj_makeEmptyFileVFS(files.vfs.get(), kFile, static_cast<int>(text.size()));
-    std::memcpy(files.vfs->filedata[mj_findFileVFS(files.vfs.get(), kFile)], text.data(), text.size());
+    std::copy(text.begin(), text.end(),
+              static_cast<char*>(files.vfs->filedata[mj_findFileVFS(files.vfs.get(), kFile)]));
     Model model(mj_loadXML(kFile, files.vfs.get(), error.data(), static_cast<int>(error.size())));
     if (!model) refuse(composition, error.data());
     if (!messages.warnings().empty()) refuse(composition, messages.warnings().front().c_str());

@@ -73,6 +73,7 @@ LoadFit fit_load(const std::vector<WrenchReading>& readings, const Eigen::Vector
   check(readings, gravity);
   LoadFit fit;
   std::vector<Eigen::Vector3d> gravities;
+  gravities.reserve(readings.size());
   for (const WrenchReading& reading : readings) gravities.emplace_back(reading.rotation.transpose() * gravity);
   fit.spread = spread_of(gravities);
   if (!(fit.spread >= kLeastSpread))

@@ -131,7 +131,7 @@ class Parser {
     const EdsLine* const line = section.find("accesstype");
     if (domain && (line == nullptr || line->value.empty())) return "rw";
     if (line == nullptr) fail(section.number, section.name, "no AccessType", kExpected);
-    const std::string access = small_letters(core::trimmed(line->value.substr(0, line->value.find(';'))));
+    std::string access = small_letters(core::trimmed(line->value.substr(0, line->value.find(';'))));
     if (!is_access(access)) fail(line->number, section.name + ": AccessType", in_quotes(line->value), kExpected);
     return access;
   }

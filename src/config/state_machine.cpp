@@ -40,6 +40,7 @@ State::Start Reader::start(const Table& table) const {
   }
   const std::vector<MessageSchema>& known = of(start.robot).on;
   std::vector<std::string> labels;
+  labels.reserve(known.size());
   for (const MessageSchema& schema : known) labels.push_back(schema.label);
   const std::string label = table.choice("behaviour", labels);
   const auto schema =

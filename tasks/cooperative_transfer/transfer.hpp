@@ -49,7 +49,7 @@ class TransferBy : public mp::Task {
   /// Carries the gripped bar along a path that begins where it is. Throws NonFatalError: the bar is lost.
   Outcome carry_along(const std::vector<Pose>& path, const CooperativeLimits& limits) {
     const When lost{"the bar is lost", [this] { return weight() < 0.5 * borne; }};
-    const Outcome way = Move({left, right}, sensors, carry(path, limits).until(lost));
+    Outcome way = Move({left, right}, sensors, carry(path, limits).until(lost));
     if (way.by<When>()) throw NonFatalError{"the bar has been lost"};
     return way;
   }

@@ -60,7 +60,8 @@ Points read_stroke(const Words& words) {
 Stroke prepare(const Points& drawn, double height, const Eigen::Vector2d& origin, double spacing) {
   Stroke stroke{{origin + height * drawn.front()}};
   for (std::size_t i = 1; i < drawn.size(); ++i) {
-    const Eigen::Vector2d from = drawn[i - 1], way = drawn[i] - from;
+    const Eigen::Vector2d& from = drawn[i - 1];
+    const Eigen::Vector2d way = drawn[i] - from;
     const int parts = std::max(1, static_cast<int>(std::ceil(height * way.norm() / spacing)));
     for (int part = 1; part <= parts; ++part) stroke.back().push_back(origin + height * (from + way * part / parts));
     if (i + 1 == drawn.size()) break;

@@ -28,7 +28,8 @@ std::vector<Eigen::Vector2d> grid(const Eigen::Vector2d& size, int columns, int 
 
 Surface::Surface(const std::vector<Eigen::Vector3d>& centres, double radius, int along_x, int along_y)
     : degree_x_(std::min(along_x - 1, 2 * along_x / 3)), degree_y_(std::min(along_y - 1, 2 * along_y / 3)) {
-  if (along_x < 1 || along_y < 1 || centres.size() < static_cast<std::size_t>(along_x * along_y)) {
+  if (along_x < 1 || along_y < 1 ||
+      centres.size() < static_cast<std::size_t>(along_x) * static_cast<std::size_t>(along_y)) {
     throw mrroc::NonFatalError(mrroc::ErrorCode::invalid_argument,
                                std::string("a surface through ")
                                    .append(std::to_string(centres.size()) + " points, expected a grid of ")

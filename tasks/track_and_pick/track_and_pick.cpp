@@ -74,7 +74,8 @@ class TrackAndPick : public mp::Task {
 
   /// The position of part `index` on the table: rows of five, two deep, two high.
   void place(int index) {
-    const double x = 0.46 + 0.08 * (index % 5), y = 0.61 - 0.09 * (index / 5 % 2), z = -0.127 + 0.0455 * (index / 10);
+    const int row = index / 5 % 2, layer = index / 10;
+    const double x = 0.46 + 0.08 * (index % 5), y = 0.61 - 0.09 * row, z = -0.127 + 0.0455 * layer;
     for (const double height : {0.06, 0.0}) {
       const Outcome way =
           Move({arm, gripper}, {}, JointLine{arm, around(x, y, z + height), 0.9}.until(!Gripped{gripper}));

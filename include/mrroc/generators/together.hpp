@@ -46,7 +46,7 @@ class Together : public Generator {
   void add(Generator& part) { parts_.push_back({{std::shared_ptr<void>{}, &part}}); }
   template <class Part>
   requires(!std::is_lvalue_reference_v<Part>) void add(Part&& part) {
-    parts_.push_back({std::make_shared<Part>(std::move(part))});
+    parts_.push_back({std::make_shared<Part>(std::forward<Part>(part))});
   }
 
   std::vector<Part> parts_;

@@ -44,6 +44,7 @@ cv::Ptr<cv::aruco::Dictionary> marker_dictionary(const std::string& name) {
 
 std::vector<std::string> marker_dictionary_names() {
   std::vector<std::string> names;
+  names.reserve(kDictionaries.size());
   for (const Known& known : kDictionaries) names.emplace_back(known.first);
   return names;
 }

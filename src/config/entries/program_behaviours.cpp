@@ -97,7 +97,7 @@ std::string to_text(const ProgramsByRobot& programs) {
   std::string text;
   for (const auto& [robot, behaviours] : programs) {
     std::istringstream lines(to_text(behaviours));
-    for (std::string line; std::getline(lines, line);) text += robot + " " + line + "\n";
+    for (std::string line; std::getline(lines, line);) text.append(robot).append(" ").append(line).append("\n");
   }
   return text;
 }

@@ -21,7 +21,7 @@ bool is_address(const std::string& text) {
 }
 
 std::string absolute_path(const Table& table, const std::string& key) {
-  const std::string path = table.optional_text(key).value_or("");
+  std::string path = table.optional_text(key).value_or("");
   if (!path.empty() && path.front() != '/') table.fail(key, in_quotes(path), "an absolute path on that host");
   return path;
 }
@@ -96,7 +96,7 @@ std::vector<HostEntry> read_hosts(const Table& root) {
 }
 
 std::string read_host(const Table& table, const Deployment& deployment) {
-  const std::string host = table.optional_text("host").value_or("");
+  std::string host = table.optional_text("host").value_or("");
   std::vector<std::string> known;
   for (const HostEntry& entry : deployment.hosts) {
     if (entry.name == host) return host;

@@ -22,7 +22,7 @@ const HostEntry* first_remote(const Deployment& deployment) {
 
 std::filesystem::path read_keys(const Table& table) {
   const std::string name = table.text("keys");
-  const std::filesystem::path folder = beside(table.file(), name);
+  std::filesystem::path folder = beside(table.file(), name);
   if (!std::filesystem::is_directory(folder)) {
     table.fail("keys", in_quotes(name) + " is not a folder", "one made by `mrroc keys " + folder.string() + "`");
   }
@@ -32,7 +32,7 @@ std::filesystem::path read_keys(const Table& table) {
 }  // namespace
 
 std::string read_interface(const Table& table) {
-  const std::string interface = table.text("interface");
+  std::string interface = table.text("interface");
   const auto allowed = [](char c) { return c > ' ' && c < 127 && c != '"' && c != '<' && c != '&' && c != '/'; };
   if (interface.empty() || !std::all_of(interface.begin(), interface.end(), allowed)) {
     table.fail("interface", in_quotes(interface), "a network device (eth1) or an own address (10.0.0.2)");

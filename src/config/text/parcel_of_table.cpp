@@ -18,14 +18,14 @@ std::vector<double> numbers_of(const Table& table, const MessageFieldEntry& fiel
   const std::size_t count = field.kind == FieldKind::pose     ? 6
                             : field.kind == FieldKind::vector ? field.size / sizeof(double)
                                                               : 0;
-  const std::vector<double> values = table.numbers(field.name, count);
+  std::vector<double> values = table.numbers(field.name, count);
   if (field.kind == FieldKind::joints && values.size() > static_cast<std::size_t>(kMaxJoints))
     table.fail(field.name, std::to_string(values.size()) + " joints", "at most " + std::to_string(kMaxJoints));
   return values;
 }
 
 std::string text_of(const Table& table, const MessageFieldEntry& field) {
-  const std::string text = table.text(field.name);
+  std::string text = table.text(field.name);
   if (text.size() >= field.size)
     table.fail(field.name, in_quotes(text), "a text of at most " + std::to_string(field.size - 1) + " characters");
   return text;

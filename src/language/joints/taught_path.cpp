@@ -57,7 +57,7 @@ std::string text_of(double value) {
 /// An empty file with a unique name: another run may save the same path at the same time.
 std::string new_file_beside(const std::string& file) {
   for (int number = 1;; ++number) {
-    const std::string name = file + "." + std::to_string(::getpid()) + "-" + std::to_string(number) + ".new";
+    std::string name = file + "." + std::to_string(::getpid()) + "-" + std::to_string(number) + ".new";
     const int fd = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (fd < 0 && errno == EEXIST) continue;
     if (fd < 0) cannot_write(file);
@@ -181,7 +181,7 @@ namespace {
 
 std::string content_of(const Reader& at) {
   std::ifstream in(at.file, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  std::string text{std::istreambuf_iterator<char>(in), {}};
   std::error_code error;
   if (!in.is_open() || in.bad() || std::filesystem::is_directory(at.file, error))
     at.refuse("cannot be read", "a file with a taught path");

@@ -46,7 +46,7 @@ JointVector PathRunner::begin() {
   halting_ = false;
   duration_ = 0;
   if (state.at_rest()) return state.desired_joints;
-  const JointVector rest = resting_joints(*robot_);
+  JointVector rest = resting_joints(*robot_);
   lead_to(rest, 1);
   return rest;
 }

@@ -83,7 +83,7 @@ double ToolPath::spacing(std::size_t piece) const noexcept {
 
 JointVector ToolPath::joints_on_path(const Robot& robot, const Pose& pose, const JointVector& near, double s) const {
   std::string what = "the path after " + std::to_string(static_cast<int>(100 * s / length())) + " %:";
-  const JointVector joints = joints_on_branch(robot, pose, near, what);
+  JointVector joints = joints_on_branch(robot, pose, near, what);
   if (within_limits(robot.kinematics().model(), joints)) return joints;
   what += " the branch" + branch_text(robot, near) + " ends at" + place_text(pose) + ":";
   check_joints(robot, joints, what + " position");

@@ -181,8 +181,9 @@ void ClaimedFile::lock(const std::string& what) {
     if (errno != EWOULDBLOCK) return;  // a file system without locks
     const std::string holder = holder_of(identity_);
     close();
-    throw FileInUse(what + " " + path_.string() + ": is being written by " + holder +
-                    ", expected a file that no other run writes");
+    throw FileInUse(
+        std::string(what).append(" ").append(path_.string()).append(": is being written by ").append(holder) +
+        ", expected a file that no other run writes");
   }
 }
 
