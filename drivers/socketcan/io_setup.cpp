@@ -1,5 +1,7 @@
 #include "drivers/socketcan/io_setup.hpp"
 
+#include <numeric>
+
 #include "drivers/socketcan/io_pdos.hpp"
 #include "drivers/socketcan/setting_list.hpp"
 
@@ -27,8 +29,8 @@ void add_pdos(SettingList& list, const config::IoEntry& node, int status_every) 
     else
       list.add_known(identifier, kPdoNotUsed | kPdoNoRemote | (kTransmitPdo1 + offset), 4);
   }
-  std::vector<std::uint16_t> used;
-  for (int i = 0; i < IoPdos::kCount; ++i) used.push_back(static_cast<std::uint16_t>(kTransmitPdoParameters + i));
+  std::vector<std::uint16_t> used(IoPdos::kCount);
+  std::iota(used.begin(), used.end(), kTransmitPdoParameters);
   list.switch_off_pdos_but(used);
 }
 

@@ -30,7 +30,7 @@ void set_index(can::Frame& frame, int index) { can::put(frame.data, 1, 2, static
 /// Moves the object in an entry of a mapping.
 void move_entry(can::Frame& frame, int by) {
   const auto index = static_cast<std::uint16_t>(can::get(frame.data, 6, 2));
-  if (frame.data[3] != 0 && is_of_profile(index)) can::put(frame.data, 6, 2, static_cast<std::uint64_t>(index + by));
+  if (frame.data[3] != 0 && is_of_profile(index)) can::put(frame.data, 6, 2, static_cast<std::uint16_t>(index + by));
 }
 
 }  // namespace

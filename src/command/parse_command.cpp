@@ -1,6 +1,7 @@
 #include "command/parse_command.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdio>
 #include <filesystem>
 #include <sstream>
@@ -43,6 +44,25 @@ void check_command(const CLI::App& app, const std::vector<std::string>& words) {
       CLI::ExitCodes::ExtrasError);
 }
 
+/// CLI11 reports unknown options together with all words behind them, the last one first.
+void check_options(const CLI::App& app, const std::vector<std::string>& words) {
+  const CLI::App* verb = &app;
+  for (const std::string& word : words) {
+    if (word == "--" || verb->get_allow_extras()) return;
+    if (const CLI::App* const inner = verb_of(*verb, word)) verb = inner;
+    const bool is_long = word.size() > 2 && word.starts_with("--") && std::isalpha(static_cast<unsigned char>(word[2]));
+    const std::string name = word.substr(0, word.find('='));
+    if (!is_long || option_of(*verb, name) != nullptr) continue;
+    std::vector<std::string> known;
+    for (const CLI::Option* option : verb->get_options())
+      for (const std::string& each : option->get_lnames()) known.push_back("--" + each);
+    const std::string nearest = core::nearest_word(name, known);
+    throw CLI::ExtrasError("unknown option '" + name + "' of " + verb->get_display_name() +
+                               (nearest.empty() ? "" : ", did you mean '" + nearest + "'?"),
+                           CLI::ExitCodes::ExtrasError);
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> words_of(CLI::App& app, const std::vector<std::string>& words) {
@@ -77,6 +97,7 @@ std::optional<int> parse_command(CLI::App& app, int argc, char** argv) {
   try {
     std::vector<std::string> words = words_of(app, {argv + std::min(argc, 1), argv + argc});
     check_command(app, words);
+    check_options(app, words);
     std::reverse(words.begin(), words.end());  // as CLI11 expects them
     app.parse(std::move(words));
     return std::nullopt;

@@ -35,7 +35,8 @@ const Interface& load(const std::filesystem::path& library, const Interface& exp
     refuse(library, std::string("made for version ") + std::to_string(found->version) + " of the interface, expected " +
                         std::to_string(expected.version) + ": build it with this release");
   if (found->layout != expected.layout)
-    refuse(library, "made with other headers, expected those of this release: build it again");
+    refuse(library,
+           "it and this program were not made with the same headers, expected those of one release: build both again");
   if (found->make == nullptr) refuse(library, "its interface has no function");
   return *found;
 }

@@ -82,6 +82,25 @@ TEST(ParseCommand, RejectsUnknownWordsAsUsageErrors) {
   EXPECT_EQ(Command().exit_code({"run", "a", "b"}), 2);
 }
 
+TEST(ParseCommand, NamesTheUnknownOptionAndTheNearestOne) {
+  const auto message = [](const std::vector<std::string>& words) {
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(Command().exit_code(words), 2);
+    const std::string text = testing::internal::GetCapturedStderr();
+    return text.substr(0, text.find('\n'));
+  };
+  EXPECT_EQ(message({"run", "file", "--quite", "--trace", "x"}),
+            "unknown option '--quite' of run, did you mean '--quiet'?");
+  EXPECT_EQ(message({"run", "--blackbox=x"}), "unknown option '--blackbox' of run, did you mean '--black-box'?");
+  EXPECT_EQ(message({"--trace", "x", "run"}), "unknown option '--trace' of tool");
+  EXPECT_EQ(message({"run", "--zzz"}), "unknown option '--zzz' of run");
+  Command after;
+  EXPECT_EQ(after.exit_code({"run", "--", "--quite"}), std::nullopt);
+  EXPECT_EQ(after.file, "--quite");
+  Command value;
+  EXPECT_EQ(value.exit_code({"run", "--trace", "-5"}), std::nullopt);
+}
+
 TEST(ParseCommand, HelpAndVersionAreSuccesses) {
   testing::internal::CaptureStdout();
   EXPECT_EQ(Command().exit_code({"--version"}), 0);

@@ -48,6 +48,33 @@ int late_declaration(std::string_view text) {
   return 0;
 }
 
+std::string problem_of(tinyxml2::XMLError error) {
+  switch (error) {
+    case tinyxml2::XML_ERROR_PARSING_ELEMENT:
+      return "an element's tag is not well-formed or not closed";
+    case tinyxml2::XML_ERROR_PARSING_ATTRIBUTE:
+      return "an attribute is not of the form name=\"value\"";
+    case tinyxml2::XML_ERROR_PARSING_TEXT:
+      return "text that is in no element";
+    case tinyxml2::XML_ERROR_PARSING_CDATA:
+      return "a CDATA section has no end";
+    case tinyxml2::XML_ERROR_PARSING_COMMENT:
+      return "a comment has no end";
+    case tinyxml2::XML_ERROR_PARSING_DECLARATION:
+      return "the declaration <?xml ...?> has no end";
+    case tinyxml2::XML_ERROR_PARSING_UNKNOWN:
+      return "a part <!...> has no end";
+    case tinyxml2::XML_ERROR_EMPTY_DOCUMENT:
+      return "the file has no element";
+    case tinyxml2::XML_ERROR_MISMATCHED_ELEMENT:
+      return "the end tag of an element is missing or has another name";
+    case tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED:
+      return "elements are nested too deeply";
+    default:
+      return tinyxml2::XMLDocument::ErrorIDToName(error);
+  }
+}
+
 }  // namespace
 
 void read_xml(const std::filesystem::path& file, const std::string& kind, tinyxml2::XMLDocument& document) {
@@ -60,8 +87,7 @@ void read_xml(const std::filesystem::path& file, const std::string& kind, tinyxm
   if (document.ErrorID() == tinyxml2::XML_ERROR_PARSING_DECLARATION && declaration > 0)
     throw ConfigurationError(file, declaration, "", "the declaration <?xml ...?> is not at the beginning of the file",
                              "it before everything else, comments too");
-  const std::string problem = document.ErrorStr() != nullptr ? document.ErrorStr() : document.ErrorName();
-  throw ConfigurationError(file, document.ErrorLineNum(), "", problem, "well-formed XML");
+  throw ConfigurationError(file, document.ErrorLineNum(), "", problem_of(document.ErrorID()), "well-formed XML");
 }
 
 }  // namespace mrroc::config

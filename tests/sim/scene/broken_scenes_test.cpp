@@ -62,7 +62,7 @@ INSTANTIATE_TEST_SUITE_P(
                "scene.xml:4: ", "unrecognized attribute: 'colour'"},
         Broken{"unknown_element", "<worldbody>\n\n<goem size='1'/></worldbody>", "scene.xml:5: ", "goem"},
         Broken{"not_closed", "<worldbody>\n<geom size='1'></worldbody>",
-               "scene.xml:4: ", "XML_ERROR_MISMATCHED_ELEMENT"},
+               "scene.xml:4: ", "the end tag of an element is missing or has another name"},
         Broken{"repeated_name", "<worldbody>\n<geom name='g' size='1'/>\n<geom name='g' size='1'/></worldbody>",
                "scene.xml:5: ", "repeated name"},
         Broken{"name_of_a_robot", "<worldbody>\n<body name='arm'/></worldbody>",
