@@ -74,7 +74,7 @@ bool Drive::take(const can::Frame& frame, Tick tick, can::Frame& next) noexcept 
   return true;
 }
 
-/// Of all axes of the node: `fault` tells whose it is.
+/// It is of the node: `fault` decides to which of its axes it belongs.
 void Drive::take_emergency(std::uint16_t code, Tick tick) noexcept {
   if (code == 0) return;
   if (emergency_ == 0) emergency_at_ = tick;

@@ -8,9 +8,9 @@
 
 namespace mrroc::sim {
 
-/// One axis of a simulated drive with several: a drive with one axis behind it sees its own objects as those of the
-/// first axis and its PDOs from number 1 on. What the axes have in common is answered by the first of them, and sent by
-/// it: boot-up message, heartbeats. One thread.
+/// One axis of a simulated drive with several: for the drive with one axis behind it, its objects are those of the
+/// first axis and its PDOs have the numbers from 1 on. What the axes have in common is answered and sent by the first
+/// of them: boot-up message, heartbeats. One thread.
 class Channel {
  public:
   Channel(const config::DriveTable& table, const config::DriveEntry& entry);

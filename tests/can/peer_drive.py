@@ -2,8 +2,9 @@
 """Independent CiA 402 drives, and CiA 401 I/O nodes: nodes of python-canopen with the object dictionary of an EDS, for tests
 of a master.
 
-Prints `ready` when they are on the bus. Obeys lines of its standard input, for every node or after `node N` for one:
-  emcy CODE               a fault with that error code; 0 of an I/O node: its end
+Prints `ready` when they are on the bus. Obeys lines of its standard input, for every node or after `node N` for one, and
+for the first axis of a drive or after `axis K`, from 1, for another:
+  emcy CODE               a fault of the axis with that error code; 0 of an I/O node: its end
   limit positive|negative on|off
   jam on|off              the shaft does not turn
   input BLOCK VALUE       of an I/O node: 8 digital inputs
@@ -29,11 +30,14 @@ from unix_bus import open_bus
 TICK = 0.005  # s between updates of the timers and the motor
 
 
-def obey(peer, words):
+def obey(peer, words, axis=0):
     name, rest = words[0], words[1:]
-    motor = getattr(peer, "motor", None)
-    if name == "emcy":
-        peer.fault(int(rest[0], 0)) if int(rest[0], 0) else peer.heal()
+    motor = peer.motors[axis] if hasattr(peer, "motors") else None
+    if name == "axis":
+        obey(peer, rest[1:], int(rest[0]) - 1)
+    elif name == "emcy":
+        fault = motor.fault if motor else peer.fault
+        fault(int(rest[0], 0)) if int(rest[0], 0) else peer.heal()
     elif name == "input":
         peer.set_input(INPUTS, int(rest[0]), int(rest[1], 0))
     elif name == "analog":
@@ -75,13 +79,14 @@ def main():
     parser.add_argument("--bus", required=True, help="a network interface, or unix:PATH of a hub")
     parser.add_argument("--eds", required=True)
     parser.add_argument("--cycle", type=float, metavar="S", help="motors turn by S at each SYNC; default: real time")
+    parser.add_argument("--axes", type=int, default=1, help="of each drive")
     parser.add_argument("--io-eds", help="of the I/O nodes")
     parser.add_argument("--io", type=int, nargs="*", default=[], metavar="NODE", help="node numbers of I/O nodes")
     parser.add_argument("nodes", type=int, nargs="+", help="node numbers")
     asked = parser.parse_args()
 
     network = canopen.Network(open_bus(asked.bus))
-    peers = [PeerDrive(network, number, asked.eds, asked.cycle) for number in asked.nodes]
+    peers = [PeerDrive(network, number, asked.eds, asked.cycle, asked.axes) for number in asked.nodes]
     peers += [PeerIo(network, number, asked.io_eds, asked.cycle) for number in asked.io]
     network.listeners += [peer.on_frame for peer in peers]
     network.connect()

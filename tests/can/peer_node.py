@@ -18,7 +18,7 @@ class PeerNode:
     def __init__(self, network, number, eds, cycle=None):
         """`cycle`: s by which each SYNC advances an operational device; None: it runs in real time."""
         self.network, self.lock, self.silent, self.cycle = network, threading.RLock(), False, cycle
-        self.node = network.create_node(number, canopen.import_od(eds, number))
+        self.node = network.create_node(number, self.dictionary(eds, number))
         for identifier, handler in ((0, self.node.nmt.on_command), (self.node.sdo.rx_cobid, self.node.sdo.on_request)):
             network.unsubscribe(identifier, handler)  # on_frame handles them, because it can suppress an answer
         self.node.add_read_callback(self.read)
@@ -45,6 +45,9 @@ class PeerNode:
         self.change(index, subindex, data)
 
     # --- the profile
+    def dictionary(self, eds, number):
+        return canopen.import_od(eds, number)
+
     def power_on(self):
         """The device as after power-on."""
 

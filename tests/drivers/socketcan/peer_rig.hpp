@@ -37,15 +37,15 @@ class TwoSlides : public Gantry {
   }
 };
 
-/// peer_drive.py with drives 1 and 2, and `more` arguments.
+/// peer_drive.py with drives of these node numbers, and `more` arguments.
 class Peer {
  public:
-  explicit Peer(const std::string& bus, const std::string& more = "") {
+  explicit Peer(const std::string& bus, const std::string& more = "", const std::string& nodes = "1 2") {
     const std::string source = MRROC_SOURCE_DIR;
     const std::string command = "PYTHONPATH=" + source + "/.deps/python exec python3 " + source +
                                 "/tests/can/peer_drive.py --bus " + bus + " --eds " + source +
-                                "/src/canopen/cia402.eds --cycle " + std::to_string(kPeerPeriod) + " 1 2 " + more +
-                                " > /dev/null";
+                                "/src/canopen/cia402.eds --cycle " + std::to_string(kPeerPeriod) + " " + nodes + " " +
+                                more + " > /dev/null";
     input_ = ::popen(command.c_str(), "w");
   }
   ~Peer() {
@@ -66,10 +66,14 @@ inline void pause() { ::usleep(static_cast<useconds_t>(kPeerPeriod * 1e6)); }
 
 class PeerTest : public testing::TestWithParam<canopen::DriveMode> {
  protected:
+  explicit PeerTest(const std::string& more = "", const std::string& nodes = "1 2") : peer(bus.name(), more, nodes) {}
+  /// Where the drives are on the bus.
+  virtual void place(config::DriveTable& /*drives*/) const {}
   void SetUp() override {
     table = table_for(model.parameters(), GetParam());
     table.heartbeat = kHeartbeat;
     table.absolute_encoders = true;
+    place(table);
     for (config::DriveEntry& drive : table.drives) drive.settings = settings;
     if (GetParam() == canopen::DriveMode::cyclic_torque)
       for (config::DriveEntry& drive : table.drives) drive.rated_current = kPeerRatedCurrent;
@@ -105,7 +109,7 @@ class PeerTest : public testing::TestWithParam<canopen::DriveMode> {
   TwoSlides model;
   config::DriveTable table;
   TestBus bus;
-  Peer peer{bus.name()};
+  Peer peer;
   std::unique_ptr<CanHardware> hardware;
   ServoChannel hand_over;
   ModelSet models{model};

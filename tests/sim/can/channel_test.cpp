@@ -56,7 +56,7 @@ TEST(Channel, PassesTheObjectsOfEachAxisToIt) {
   EXPECT_EQ(asked(second, {0x1440, 2}), (Object{0x1400, 2}));
   EXPECT_EQ(asked(second, {0x1a41, 3}), (Object{0x1a01, 3}));
   EXPECT_EQ(asked(first, kProducerHeartbeat), kProducerHeartbeat);
-  EXPECT_EQ(asked(second, kProducerHeartbeat), kProducerHeartbeat) << "each axis knows what all have in common";
+  EXPECT_EQ(asked(second, kProducerHeartbeat), kProducerHeartbeat) << "what all have in common is written to each";
 }
 
 TEST(Channel, AnswersForItsNode) {
