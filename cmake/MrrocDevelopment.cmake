@@ -71,12 +71,17 @@ function(mrroc_test_headers)
   target_precompile_headers(mrroc_test_headers PRIVATE <gtest/gtest.h> <rapidcheck.h> <Eigen/Geometry>)
 endfunction()
 
+# mrroc_test_chain(CHAIN NAME...): tests that run one after the other, and therefore early.
+function(mrroc_test_chain chain)
+  set_tests_properties(${ARGN} PROPERTIES RESOURCE_LOCK ${chain} COST 10000)
+endfunction()
+
 # mrroc_describe_test(NAME [SLOW] [SERIAL] [TIMEOUT s] [SLOTS n] [LABELS ...]): the properties of a test in ctest, the
 # same for all kinds.
 #   SLOW     label slow, else fast; a test with the label system (whole deployments) is slow: `make check` runs the fast ones
 #   SERIAL   needs real time: never together with another SERIAL test; it mostly waits, so that other tests can run
-#   SLOTS    of `ctest -j`, two for each processor: 2, of a SERIAL test 1
-# Tests with a long TIMEOUT start first.
+#   SLOTS    of `ctest -j`, three for each processor: 2, of a SERIAL test 1
+# Tests that run one after the other start first, then those with a long TIMEOUT.
 function(mrroc_describe_test name)
   cmake_parse_arguments(ARG "ALONE;SLOW;SERIAL" "TIMEOUT;SLOTS;SHARDS" "LABELS;SOURCES;LINKS;COMMAND" ${ARGN}) # also of the callers
   if(NOT ARG_TIMEOUT)
@@ -97,7 +102,7 @@ function(mrroc_describe_test name)
   # robot types that the user has added are not those of the tests
   set_tests_properties(${name} PROPERTIES ENVIRONMENT_MODIFICATION "XDG_DATA_HOME=set:${CMAKE_BINARY_DIR}/tests/user_data")
   if(ARG_SERIAL)
-    set_tests_properties(${name} PROPERTIES RESOURCE_LOCK real_time)
+    mrroc_test_chain(real_time ${name})
   endif()
 endfunction()
 
@@ -227,5 +232,6 @@ function(mrroc_socket_test name)
   math(EXPR longest "${ARG_TIMEOUT} + 60")
   add_test(NAME ${name} COMMAND ${PROJECT_SOURCE_DIR}/tests/can/with_can --timeout ${ARG_TIMEOUT} ${ARG_VARIABLES} -- ${ARG_COMMAND})
   mrroc_describe_test(${name} SLOW TIMEOUT ${longest} SLOTS ${ARG_SLOTS} LABELS ${ARG_LABELS})
-  set_tests_properties(${name} PROPERTIES RESOURCE_LOCK can_guest ENVIRONMENT "${ARG_ENVIRONMENT}")
+  set_tests_properties(${name} PROPERTIES ENVIRONMENT "${ARG_ENVIRONMENT}")
+  mrroc_test_chain(can_guest ${name})
 endfunction()

@@ -49,7 +49,9 @@ CHECKS = {"insert": insert}
 def run(build, task, errors, seed, folder):
     recording = folder / f"{task}.{seed}.mcap"
     command = [str(build / "bin/mrroc"), "run", str(SOURCE / f"tasks/{task}/{task}.toml"), "--clock", "lockstep"]
-    command += ["--record", str(recording), "--black-box", ""]
+    command += ["--black-box", ""]
+    if task in CHECKS:
+        command += ["--record", str(recording)]
     if errors:
         command += ["--errors", errors, "--seed", str(seed)]
     try:
