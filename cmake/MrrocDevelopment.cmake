@@ -80,7 +80,7 @@ endfunction()
 # same for all kinds.
 #   SLOW     label slow, else fast; a test with the label system (whole deployments) is slow: `make check` runs the fast ones
 #   SERIAL   needs real time: never together with another SERIAL test; it mostly waits, so that other tests can run
-#   SLOTS    of `ctest -j`, three for each processor: 2, of a SERIAL test 1
+#   SLOTS    of `ctest -j`, five for two processors: 2, of a SERIAL test 1
 # Tests that run one after the other start first, then those with a long TIMEOUT.
 function(mrroc_describe_test name)
   cmake_parse_arguments(ARG "ALONE;SLOW;SERIAL" "TIMEOUT;SLOTS;SHARDS" "LABELS;SOURCES;LINKS;COMMAND" ${ARGN}) # also of the callers
@@ -232,6 +232,5 @@ function(mrroc_socket_test name)
   math(EXPR longest "${ARG_TIMEOUT} + 60")
   add_test(NAME ${name} COMMAND ${PROJECT_SOURCE_DIR}/tests/can/with_can --timeout ${ARG_TIMEOUT} ${ARG_VARIABLES} -- ${ARG_COMMAND})
   mrroc_describe_test(${name} SLOW TIMEOUT ${longest} SLOTS ${ARG_SLOTS} LABELS ${ARG_LABELS})
-  set_tests_properties(${name} PROPERTIES ENVIRONMENT "${ARG_ENVIRONMENT}")
-  mrroc_test_chain(can_guest ${name})
+  set_tests_properties(${name} PROPERTIES RESOURCE_LOCK can_guest ENVIRONMENT "${ARG_ENVIRONMENT}")
 endfunction()
