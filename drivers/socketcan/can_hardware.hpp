@@ -18,8 +18,8 @@ namespace mrroc::edp {
 
 /// The drives of a robot on a CAN bus, CiA 402 nodes with one axis or several, and the terminals of its controller, CiA
 /// 401 nodes. The servo's thread is the bus's only thread: `read` sends the SYNC and takes the nodes' answers, `write`
-/// sends each its command; both also send heartbeats, NMT commands and the set-up of a node that has restarted. A cycle
-/// is
+/// sends each its command; both also send heartbeats, NMT commands and the set-up of a node that has restarted. A
+/// cycle is
 ///
 ///   SYNC, TPDO 1 of every drive (and TPDO 2 and the inputs at each `status_every`-th SYNC), changed outputs, RPDO 1 to
 ///   every drive.
