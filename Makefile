@@ -1,8 +1,8 @@
 # The few commands that people need. Everything else is CMake: `cmake --preset release`, `cmake --build build`.
 .PHONY: help demo check test build panel package docs lint asan tsan format clean
 
-# five for two processors: a test takes two, one that mostly waits takes one: docs/how-to/testing.md
-slots := $(shell expr 5 '*' $$(nproc) / 2)
+# six for two processors: a test takes two, one that mostly waits takes one: docs/how-to/testing.md
+slots := $(shell expr 3 '*' $$(nproc))
 
 help: ## this list
 	@grep -E '^[a-z]+:.*##' $(MAKEFILE_LIST) | sed 's/:.*## /\t/' | expand -t 10

@@ -80,7 +80,7 @@ endfunction()
 # same for all kinds.
 #   SLOW     label slow, else fast; a test with the label system (whole deployments) is slow: `make check` runs the fast ones
 #   SERIAL   needs real time: never together with another SERIAL test; it mostly waits, so that other tests can run
-#   SLOTS    of `ctest -j`, five for two processors: 2, of a SERIAL test 1
+#   SLOTS    of `ctest -j`, six for two processors: 2, of a SERIAL test 1
 # Tests that run one after the other start first, then those with a long TIMEOUT.
 function(mrroc_describe_test name)
   cmake_parse_arguments(ARG "ALONE;SLOW;SERIAL" "TIMEOUT;SLOTS;SHARDS" "LABELS;SOURCES;LINKS;COMMAND" ${ARGN}) # also of the callers

@@ -28,9 +28,20 @@ void ForceWatch::bias() noexcept {
   reading_ = sensor_->read(tick_, flange_ ? &*flange_ : nullptr);
 }
 
-ErrorReport ForceWatch::check(Doing doing) noexcept {
-  const int axis = guard_.check(reading_.wrench, doing != Doing::resting);
-  if (doing == Doing::resting) return {};
+/// Against the wrench of the contact: W = F . d + M . r < 0, where d and r are what the set-point has gone and turned
+/// since the rest, in the axes of the sensor frame and about its origin.
+bool ForceWatch::farther_in(const Pose& set_point) const noexcept {
+  const Pose from = rest_ * sensor_->mount(), to = set_point * sensor_->mount();
+  const Eigen::Vector3d gone = from.rotation().transpose() * (to.translation() - from.translation());
+  const Eigen::AngleAxisd turned(from.rotation().transpose() * to.rotation());
+  return reading_.wrench.head<3>().dot(gone) + reading_.wrench.tail<3>().dot(turned.angle() * turned.axis()) < 0;
+}
+
+ErrorReport ForceWatch::check(Doing doing, const Pose& set_point) noexcept {
+  const bool rests = doing == Doing::resting;
+  const int axis = guard_.check(reading_.wrench, !rests, !leaving() || farther_in(set_point));
+  if (rests && leaving()) rest_ = set_point;
+  if (rests) return {};
   const auto tick = static_cast<unsigned long long>(tick_);
   if (axis >= 0) {
     const double value = reading_.wrench[axis], limit = guard_.limit(axis);

@@ -35,14 +35,19 @@ class ForceWatch {
   const Wrench& wrench() const noexcept { return reading_.wrench; }
 
   /// Whether the motion may continue: class `none`, or the non-fatal error to interrupt it with. Once per tick.
-  ErrorReport check(Doing doing) noexcept;
+  /// `set_point`: of the flange, in the base frame; not used while read() has no measured one.
+  ErrorReport check(Doing doing, const Pose& set_point) noexcept;
 
  private:
+  bool leaving() const noexcept { return flange_ && guard_.leaving(); }
+  bool farther_in(const Pose& set_point) const noexcept;
+
   ForceSensor* sensor_ = nullptr;
   ForceGuard guard_{ForceLimits::Zero()};
   WrenchReading reading_;
   Tick tick_ = 0;
   std::optional<Pose> flange_;
+  Pose rest_ = Pose::Identity();  ///< of the set-point, in the last tick at rest in which it was known
 };
 
 }  // namespace mrroc::edp

@@ -130,7 +130,9 @@ void Servo::watch_force(Tick tick) noexcept {
     if (active_.kind == Macrostep::Kind::path) doing = ForceWatch::Doing::moving;
     if (active_.kind == Macrostep::Kind::force) doing = ForceWatch::Doing::following;
   }
-  if (const ErrorReport report = force_.check(doing); report.error_class != ErrorClass::none) interrupt(report, then_);
+  const Pose set_point = synchronised ? model_->flange(desired_.position) : Pose::Identity();
+  if (const ErrorReport report = force_.check(doing, set_point); report.error_class != ErrorClass::none)
+    interrupt(report, then_);
 }
 
 void Servo::latch(const Fault& fault, Tick tick) noexcept {

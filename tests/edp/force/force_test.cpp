@@ -160,6 +160,44 @@ TEST(ForceLimit, StopsAnyMotionAndLetsTheRobotOut) {
       << "and monitored as before";
 }
 
+/// An arm that follows its set-point late presses harder after the set-point has begun to leave.
+TEST(ForceLimit, ForceThatGrowsWhileTheSetPointLeavesDoesNotStopIt) {
+  const JointVector in = (JointVector(4) << 0.4, 0, 0, 0).finished(), out = JointVector::Zero(4);
+  const JointVector deeper = (JointVector(4) << 0.4, 0.1, 0, 0).finished();
+  for (const double growth : {5.0, 20.0, 80.0}) {
+    for (const bool leaves : {true, false}) {
+      SCOPED_TRACE(testing::Message() << growth << (leaves ? " out" : " in"));
+      GantryBeforeWall rig;
+      ASSERT_EQ(rig.exchange(joint_command(in, 500, 500)).error.code, ErrorCode::force_limit);
+      rig.run(500);
+      rig.replies.clear();
+      ASSERT_FALSE(rig.send(joint_command(leaves ? out : deeper, 1000, 1000)));
+      rig.run(2);
+      rig.sensor.extra[0] = -growth;
+      rig.run(30);
+      rig.sensor.extra[0] = 0;
+      for (int i = 0; i < 2000 && rig.replies.empty(); ++i) rig.tick();
+      ASSERT_EQ(rig.replies.size(), 1U);
+      EXPECT_EQ(rig.replies[0].state.error.code, leaves ? ErrorCode::none : ErrorCode::force_limit);
+    }
+  }
+}
+
+/// Only an axis beyond its limit may meet more force.
+TEST(ForceLimit, AnotherObstacleStopsARobotThatLeaves) {
+  GantryBeforeWall rig;
+  ASSERT_EQ(rig.exchange(joint_command((JointVector(4) << 0.4, 0, 0, 0).finished(), 500, 500)).error.code,
+            ErrorCode::force_limit);
+  rig.run(500);
+  rig.replies.clear();
+  ASSERT_FALSE(rig.send(joint_command(JointVector::Zero(4), 1000, 1000)));
+  rig.run(2);
+  rig.sensor.extra[1] = -66;
+  for (int i = 0; i < 2000 && rig.replies.empty(); ++i) rig.tick();
+  ASSERT_EQ(rig.replies.size(), 1U);
+  EXPECT_EQ(rig.replies[0].state.error.code, ErrorCode::force_limit);
+}
+
 TEST(ForceLimit, InterruptionAfterTheReplyAnswersTheNextCommand) {
   GantryBeforeWall rig;
   ASSERT_TRUE(well(rig.exchange(joint_command((JointVector(4) << 0.4, 0, 0, 0).finished(), 500, 1))));
