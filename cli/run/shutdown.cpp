@@ -1,5 +1,6 @@
 #include "cli/run/shutdown.hpp"
 
+#include <fmt/format.h>
 #include <signal.h>
 
 #include <algorithm>
@@ -10,7 +11,6 @@ namespace mrroc::cli {
 
 namespace {
 
-constexpr std::int64_t kPatienceToStop = 5 * clock::kSecond;  // within which robots must stop
 constexpr std::int64_t kPatienceWithKilled = 3 * clock::kSecond;
 constexpr std::int64_t kPatienceWithHosts = 10 * clock::kSecond;  // longer than the timeout of their agents
 
@@ -25,22 +25,48 @@ void report_failures(ProcessGroup& group, clock::ClockHost& clock, const Shutdow
   }
 }
 
+/// The time that robots have to stop: `timeout` s of wall time, and under a simulated clock as much simulated time as
+/// long as it advances: on a busy machine it is slow.
+class TimeToStop {
+ public:
+  TimeToStop(const clock::ClockHost& clock, double timeout)
+      : clock_(clock), timeout_(static_cast<std::int64_t>(timeout * clock::kSecond)) {}
+
+  bool is_over() {
+    const std::int64_t now = clock::monotonic_ns();
+    if (const std::uint64_t delta = clock_.delta(); delta != delta_) {
+      delta_ = delta;
+      advanced_ = now;
+    }
+    const bool time_is_left = static_cast<std::int64_t>(clock_.tick() - begin_) * clock_.period_ns() < timeout_;
+    return now >= (time_is_left ? advanced_ : started_) + timeout_;
+  }
+
+ private:
+  const clock::ClockHost& clock_;
+  const std::int64_t timeout_;
+  const std::int64_t started_ = clock::monotonic_ns();
+  std::int64_t advanced_ = started_;
+  const Tick begin_ = clock_.tick();
+  std::uint64_t delta_ = clock_.delta();  // real: does not change
+};
+
 void stop_robots(ProcessGroup& group, clock::ClockHost& clock, const ShutdownListener& listener) {
   group.signal(SIGTERM, clock::Part::task);
   clock.stop();
-  const std::int64_t deadline = clock::monotonic_ns() + kPatienceToStop;
+  TimeToStop time(clock, listener.stop_timeout);
   const auto all_stand = [&group, &clock] {
     return group.all_left(clock::Part::drives, clock) && group.all_left(clock::Part::world, clock);
   };
-  while (!all_stand() && clock.state() == clock::State::running && clock::monotonic_ns() < deadline) {
+  while (!all_stand() && clock.state() == clock::State::running && !time.is_over()) {
     report_failures(group, clock, listener);
     listener.turn();
   }
   report_failures(group, clock, listener);
   if (clock.state() == clock::State::failed) listener.failed("clock lost: " + clock.error());
   if (!all_stand() && clock.state() == clock::State::running)
-    listener.failed("not every robot has stopped within " + std::to_string(kPatienceToStop / clock::kSecond) +
-                    " s; clock " + clock.describe());
+    listener.failed(
+        fmt::format("not every robot has stopped within {:g} s; clock {}", listener.stop_timeout, clock.describe()));
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ struct Hash {
 
 /// FNV-1a (64 bit) of all steps as they are encoded, in their order, and of the numbers of steps at the end of each
 /// process: equal runs, equal hashes, whatever else is recorded. Throws std::runtime_error when the file cannot be read
-/// or is not a recording.
+/// or is not a recording, NoSteps.
 Hash hash_of(const std::filesystem::path& file);
 
 }  // namespace mrroc::cli::trace

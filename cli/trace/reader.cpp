@@ -44,12 +44,17 @@ std::variant<std::monostate, Line, ProcessEnd> Reader::next() {
         line.number = number_;
         line.made = message->time / period_;
         ++steps_[line.process];
+        empty_ = false;
         return line;
       }
-      if (message->type == EndMessage::kType) return end_of(*message);
+      if (message->type == EndMessage::kType) {
+        empty_ = false;
+        return end_of(*message);
+      }
     } catch (const std::runtime_error& error) {
       throw std::runtime_error(path_.string() + ":" + std::to_string(number_) + ": " + error.what());
     }
+  if (empty_) throw NoSteps(path_);
   return {};
 }
 

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <variant>
 
@@ -19,6 +20,12 @@ struct ProcessEnd {
   std::uint64_t cut = 0;      ///< of `steps`: too long, the rest is missing
 };
 
+/// A recording without steps and without the end of a process: of hardware or topics only, or made by another program.
+struct NoSteps : std::runtime_error {
+  explicit NoSteps(const std::filesystem::path& file)
+      : std::runtime_error(file.string() + ": no steps of a task, expected a recording of `mrroc run --record FILE`") {}
+};
+
 /// Reads the steps of a recording one by one, at any size: one chunk of the file is in memory at a time. One thread.
 class Reader {
  public:
@@ -30,7 +37,7 @@ class Reader {
   /// Whether the recording has the last steps or seconds only, without the earlier ones.
   bool black_box() const noexcept { return black_box_; }
   /// The next step or end of a process; nothing (std::monostate) at the end. Throws std::runtime_error "FILE:MESSAGE:
-  /// field ..." when a message is not one of a step.
+  /// field ..." when a message is not one of a step; NoSteps at the end.
   std::variant<std::monostate, Line, ProcessEnd> next();
   /// At the end: the run has closed the recording. False: it was killed, or the disk was full.
   bool complete() const noexcept { return recording_.complete(); }
@@ -45,6 +52,7 @@ class Reader {
   bool simulated_ = true;
   bool black_box_ = false;
   bool last_seconds_ = false;
+  bool empty_ = true;                           // neither steps nor ends so far
   std::map<std::string, std::uint64_t> steps_;  // so far, by process
 };
 

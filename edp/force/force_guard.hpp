@@ -17,7 +17,7 @@ class ForceGuard {
   explicit ForceGuard(const ForceLimits& limits) noexcept : limits_(limits), allowed_(limits) {}
 
   /// Takes the wrench of a tick. `moving`: the robot follows a plan; else it rests or is stopping, and every wrench is
-  /// allowed. `farther_in`: than at that rest; else an axis that is leaving() may meet more. Returns the axis (0..5)
+  /// allowed. `farther_in`: than at such a rest; else an axis that is leaving() may meet more. Returns the axis (0..5)
   /// beyond its bound, or -1. NaN is beyond.
   int check(const Wrench& wrench, bool moving, bool farther_in) noexcept {
     rested_ = moving ? 0 : std::min(rested_ + 1, kRested);

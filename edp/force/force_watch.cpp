@@ -29,18 +29,18 @@ void ForceWatch::bias() noexcept {
 }
 
 /// Against the wrench of the contact: W = F . d + M . r < 0, where d and r are what the set-point has gone and turned
-/// since the rest, in the axes of the sensor frame and about its origin.
+/// since the deepest rest, in the axes of the sensor frame and about its origin.
 bool ForceWatch::farther_in(const Pose& set_point) const noexcept {
-  const Pose from = rest_ * sensor_->mount(), to = set_point * sensor_->mount();
+  const Pose from = deepest_ * sensor_->mount(), to = set_point * sensor_->mount();
   const Eigen::Vector3d gone = from.rotation().transpose() * (to.translation() - from.translation());
   const Eigen::AngleAxisd turned(from.rotation().transpose() * to.rotation());
   return reading_.wrench.head<3>().dot(gone) + reading_.wrench.tail<3>().dot(turned.angle() * turned.axis()) < 0;
 }
 
 ErrorReport ForceWatch::check(Doing doing, const Pose& set_point) noexcept {
-  const bool rests = doing == Doing::resting;
-  const int axis = guard_.check(reading_.wrench, !rests, !leaving() || farther_in(set_point));
-  if (rests && leaving()) rest_ = set_point;
+  const bool rests = doing == Doing::resting, farther = !flange_ || !guard_.leaving() || farther_in(set_point);
+  const int axis = guard_.check(reading_.wrench, !rests, farther);
+  if (rests && farther) deepest_ = set_point;
   if (rests) return {};
   const auto tick = static_cast<unsigned long long>(tick_);
   if (axis >= 0) {

@@ -39,7 +39,6 @@ class ForceWatch {
   ErrorReport check(Doing doing, const Pose& set_point) noexcept;
 
  private:
-  bool leaving() const noexcept { return flange_ && guard_.leaving(); }
   bool farther_in(const Pose& set_point) const noexcept;
 
   ForceSensor* sensor_ = nullptr;
@@ -47,7 +46,7 @@ class ForceWatch {
   WrenchReading reading_;
   Tick tick_ = 0;
   std::optional<Pose> flange_;
-  Pose rest_ = Pose::Identity();  ///< of the set-point, in the last tick at rest in which it was known
+  Pose deepest_ = Pose::Identity();  ///< of the set-points at rest since a force limit has been passed
 };
 
 }  // namespace mrroc::edp

@@ -96,6 +96,8 @@ class ClockHost {
   std::vector<std::pair<std::string, std::uint64_t>> at_work() const;
   /// The newest tick that participants may see.
   Tick tick() const noexcept;
+  /// Of the servo, ns.
+  std::int64_t period_ns() const noexcept { return memory_->period_ns; }
   /// Number of the open delta; it grows as long as anything happens. Lockstep and paced.
   std::uint64_t delta() const noexcept { return memory_->delta.load(); }
   /// Paced: ticks that were due before the previous tick was finished.

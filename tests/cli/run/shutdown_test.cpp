@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <memory>
 #include <string>
 #include <thread>
@@ -115,6 +116,57 @@ class NoEnd : public OrderlyEnd {
 TEST_F(NoEnd, AfterLeavingTheClockIsReportedOnKill) {
   EXPECT_EQ(failures_after_leaving(group_, clock_, edp_),
             (std::vector<std::string>{"process arm_edp failed at the end: signal 9 (Killed)"}));
+}
+
+/// In lockstep, with a tick that takes `pause` of wall time; the EDP leaves after `ticks` of them. Returns the
+/// failures.
+std::vector<std::string> failures_in_lockstep(Tick ticks, std::chrono::milliseconds pause, double stop_timeout) {
+  clock::HostOptions options;
+  options.participants = {"arm_edp"};
+  clock::ClockHost host(options);
+  std::thread edp([&host, ticks, pause] {
+    const auto clock = clock::attach_clock(host.fd(), "arm_edp", clock::Part::drives);
+    clock->start();
+    while (host.stop_tick() == kNever || clock->tick() < host.stop_tick() + ticks) {
+      if (clock->wait(clock->tick() + 1) == clock::Wake::interrupted) break;
+      std::this_thread::sleep_for(pause);
+    }
+  });
+  EXPECT_TRUE(host.wait_ready(60).empty());
+  host.start();
+  std::vector<std::string> failures;
+  ProcessGroup group([](const std::string&, const std::string&) {});
+  PlannedProcess process;
+  process.name = "arm_edp";
+  process.program = "/bin/sh";
+  process.part = clock::Part::drives;
+  group.start(process, {"-c", "trap 'kill $!; exit 0' TERM; sleep 60 & while :; do wait; done"});
+  shut_down(group, host, true,
+            {.turn = [&group] { group.wait(20, -1); },
+             .message = [](const std::string&) {},
+             .failed = [&failures](const std::string& reason) { failures.push_back(reason); },
+             .stop_timeout = stop_timeout,
+             .end_timeout = 1});
+  host.end();
+  edp.join();
+  return failures;
+}
+
+TEST(SlowSimulation, HasTheSimulatedTimeToStop) {
+  EXPECT_EQ(failures_in_lockstep(100, std::chrono::milliseconds(10), 0.25), std::vector<std::string>{})
+      << "0.2 s of simulated time, at least 1 s of wall time";
+}
+
+TEST(SlowSimulation, RobotThatDoesNotStopIsReported) {
+  const auto failures = failures_in_lockstep(100'000, std::chrono::milliseconds(1), 0.25);
+  ASSERT_EQ(failures.size(), 1U);
+  EXPECT_EQ(failures[0].find("not every robot has stopped within 0.25 s; clock "), 0U) << failures[0];
+}
+
+TEST(SlowSimulation, TimeThatStandsStillIsReported) {
+  const auto failures = failures_in_lockstep(100, std::chrono::milliseconds(3000), 0.25);
+  ASSERT_EQ(failures.size(), 1U);
+  EXPECT_EQ(failures[0].find("not every robot has stopped within 0.25 s; clock "), 0U) << failures[0];
 }
 
 }  // namespace

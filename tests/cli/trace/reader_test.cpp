@@ -7,8 +7,11 @@
 
 #include <utility>
 
+#include "cli/trace/diff.hpp"
+#include "cli/trace/hash.hpp"
 #include "cli/trace/step_of_line.hpp"
 #include "cli/trace/trace_steps.hpp"
+#include "messages/mrroc_msgs/process_end.hpp"
 #include "mrroc/testing/scratch_folder.hpp"
 #include "recording/recording_writer.hpp"
 
@@ -80,6 +83,18 @@ TEST(TraceReader, NamesAMessageThatIsNotOneOfAStep) {
   step.ending = 8;
   wrong.writer().write_step("arm", 1, messages::to_cdr(step));
   EXPECT_NE(wrong.found().malformed.find("checked.mcap:1: ending: '8', expected 0 to 7"), std::string::npos);
+}
+
+TEST(TraceReader, RefusesARecordingWithoutSteps) {
+  Written none(kLockstep);
+  EXPECT_NE(none.found().malformed.find("checked.mcap: no steps of a task, expected"), std::string::npos);
+  EXPECT_THROW(hash_of(none.file), NoSteps);
+  Reader one(none.file), other(none.file);
+  EXPECT_THROW(compare(one, other), NoSteps) << "two of them are not called equal";
+  Written ended(kLockstep);
+  ended.writer().write("arm/end", 1, messages::mrroc_msgs::ProcessEnd{});
+  EXPECT_EQ(ended.found().malformed, "") << "a task without a step is one";
+  EXPECT_EQ(hash_of(ended.file).text.size(), 16U);
 }
 
 TEST(TraceReader, EmptyRecordingKeepsTheRules) {

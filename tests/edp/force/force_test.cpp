@@ -183,6 +183,28 @@ TEST(ForceLimit, ForceThatGrowsWhileTheSetPointLeavesDoesNotStopIt) {
   }
 }
 
+/// A command that comes late stops a robot on its way out, and the next one leads it back to its path.
+TEST(ForceLimit, RestsOnTheWayOutAllowTheWayBackToTheFirst) {
+  GantryBeforeWall rig;
+  rig.sensor.stiffness = 10000;
+  const auto go = [&rig](double x) {
+    return rig.exchange(joint_command((JointVector(4) << x, 0, 0, 0).finished(), 1000, 1000)).error.code;
+  };
+  ASSERT_EQ(go(0.4), ErrorCode::force_limit);
+  rig.run(500);
+  const double there = rig.seen().desired.position[0];
+  const double limit = rig.sensor.wall + 65 / rig.sensor.stiffness;
+  ASSERT_GT(there - limit, 0.3 * 65 / rig.sensor.stiffness) << "the return would add less than a tenth";
+  const double out = there - 0.8 * (there - limit);
+  EXPECT_EQ(go(out), ErrorCode::none);
+  rig.run(500);
+  EXPECT_EQ(go(there - 1e-6), ErrorCode::none);
+  rig.run(500);
+  EXPECT_EQ(go(out), ErrorCode::none);
+  rig.run(500);
+  EXPECT_EQ(go(there + 0.1), ErrorCode::force_limit);
+}
+
 /// Only an axis beyond its limit may meet more force.
 TEST(ForceLimit, AnotherObstacleStopsARobotThatLeaves) {
   GantryBeforeWall rig;
