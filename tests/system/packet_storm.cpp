@@ -6,6 +6,7 @@
 #include <netinet/ip.h>
 #include <netinet/udp.h>
 #include <netpacket/packet.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -22,6 +23,7 @@ constexpr std::size_t kMemory = 2000;
 constexpr int kStrangers = 4;  // for each participant
 constexpr int kBurst = 16;     // datagrams per millisecond
 constexpr auto kPause = std::chrono::milliseconds(1);
+constexpr int kNiceness = 10;
 
 int first_port(int domain) { return 7400 + 250 * domain; }
 
@@ -59,6 +61,8 @@ PacketStorm::~PacketStorm() {
 }
 
 void PacketStorm::blow() {
+  // forged datagrams are what is tested, not processes that a flood has left without processor time
+  ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kNiceness);
   sockaddr_in address{};
   address.sin_family = AF_INET;
   address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
