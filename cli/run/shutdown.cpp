@@ -55,10 +55,10 @@ void stop_robots(ProcessGroup& group, clock::ClockHost& clock, const ShutdownLis
   group.signal(SIGTERM, clock::Part::task);
   clock.stop();
   TimeToStop time(clock, listener.stop_timeout);
-  const auto all_stand = [&group, &clock] {
-    return group.all_left(clock::Part::drives, clock) && group.all_left(clock::Part::world, clock);
-  };
-  while (!all_stand() && clock.state() == clock::State::running && !time.is_over()) {
+  const auto all_stand = [&group, &clock] { return group.all_left(clock::Part::drives, clock); };
+  // a world without driven robots ends on its own
+  while (!(all_stand() && group.all_left(clock::Part::world, clock)) && clock.state() == clock::State::running &&
+         !time.is_over()) {
     report_failures(group, clock, listener);
     listener.turn();
   }
