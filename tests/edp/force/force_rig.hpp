@@ -59,6 +59,10 @@ struct ForceRig : Rig<Model> {
   WallSensor sensor;
 };
 
+using GantryBeforeWall = ForceRig<Gantry>;
+
+inline bool well(const RobotState& state) { return state.error.error_class == ErrorClass::none; }
+
 /// Presses along x with `newtons` (or, without them, moves compliantly at `speed`), free in the other axes.
 inline RobotCommand force_command(double newtons, double speed = 0) {
   RobotCommand command;
