@@ -56,6 +56,7 @@ class Shell {
       if (sensor.robot == place_.entry.name && sensor.wants_effector_state)
         feeds_.emplace_back(process.domain(), process.clock(), process.topic(place_.entry.name), sensor.name);
     servo_.use_emergency_stop(process.clock().emergency_stop());
+    servo_.use_group_stops(process.clock().group_stops(), place_.index);
     if (place_.entry.emergency_stop) servo_.use_emergency_terminal(*place_.entry.emergency_stop);
     if (const int fd = process.arguments().record_fd; fd >= 0)
       servo_.use_tap(tap_.emplace(ServoTap::attach(fd, kServoTapWhat)), process.clock().simulated());

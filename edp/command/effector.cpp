@@ -30,14 +30,15 @@ Macrostep::Kind kind_of(CommandKind change) noexcept {
   }
 }
 
-/// What is executed of a late command of a robot that has braked in step with others: nothing, so that it stays in
-/// step.
+/// What is executed of a command whose motion the robot and those of its group have given up: nothing, so that they
+/// stay in step.
 RobotCommand hold_instead_of(const RobotCommand& command) noexcept {
   RobotCommand hold;
   hold.kind = CommandKind::hold;
   hold.motion_steps = command.motion_steps;
   hold.reply_step = command.reply_step;
   hold.start_tick = command.start_tick;
+  hold.stop.group = command.stop.group;
   return hold;
 }
 
@@ -169,14 +170,15 @@ ErrorReport Effector::hand_over(Outstanding& entry) noexcept {
   }
   if (is_change(command.kind)) {
     macrostep_.kind = kind_of(command.kind);
+    macrostep_.stop = {};
     macrostep_.choice = command.choice;
     if (mount_) macrostep_.load = {command.load.mass, mount_->inverse() * (tool_ * command.load.centre)};
     macrostep_.steps = macrostep_.reply_step = 1;
     macrostep_.from = macrostep_.to = from;
   } else {
     const Pace pace = entry.late || entry.after_force ? Pace::stretched : Pace::as_commanded;
-    const bool in_step = entry.late && command.stop.ticks > 0;
-    const ErrorReport error = planner_.plan(in_step ? hold_instead_of(command) : command, from, pace, macrostep_);
+    const bool given_up = command.stop.group != 0 && command.stop.group == snapshot_->given_up;
+    const ErrorReport error = planner_.plan(given_up ? hold_instead_of(command) : command, from, pace, macrostep_);
     if (bad(error)) return error;
   }
   if (moves && macrostep_.steps > command.motion_steps) ++counters_.stretched;

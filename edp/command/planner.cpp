@@ -25,7 +25,7 @@ void Planner::use(const ToolKinematics& kinematics) noexcept {
 ErrorReport Planner::plan(const RobotCommand& command, const DesiredState& from, Pace pace,
                           Macrostep& macrostep) noexcept {
   const int steps = command.motion_steps;
-  macrostep.stop = {};
+  macrostep.stop = {.group = command.stop.group};
   if (steps < 1 || steps > kMaxMotionSteps)
     return make_report(ErrorClass::non_fatal, ErrorCode::invalid_motion_steps, "N = %d, expected 1..%d", steps,
                        int{kMaxMotionSteps});
@@ -60,9 +60,10 @@ ErrorReport Planner::plan(const RobotCommand& command, const DesiredState& from,
 }
 
 CommonStop Planner::common_stop(const CommonStop& wished, const DesiredState& from) noexcept {
-  if (wished.ticks == 0 || from.at_rest()) return {};
+  const CommonStop each_on_its_own{.group = wished.group};
+  if (wished.ticks == 0 || from.at_rest()) return each_on_its_own;
   common_stop_.plan(from, wished, period_);
-  return limits_.passes(common_stop_) ? wished : CommonStop{};
+  return limits_.passes(common_stop_) ? wished : each_on_its_own;
 }
 
 void Planner::plan_stop(const DesiredState& from, std::uint32_t steps, Macrostep& macrostep) noexcept {

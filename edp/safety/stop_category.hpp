@@ -58,6 +58,12 @@ constexpr bool is_hindered(ErrorCode reason) noexcept {
   return reason == ErrorCode::following_error || reason == ErrorCode::over_current;
 }
 
+/// Whether a stop of category 1 is the shortest one also of a robot that shares its motion with others: an obstacle, a
+/// person in danger, a set-point beyond a limit. For other reasons it brakes in step with them.
+constexpr bool is_urgent(ErrorCode reason) noexcept {
+  return reason != ErrorCode::not_enabled && reason != ErrorCode::bus_error && reason != ErrorCode::io_fault;
+}
+
 /// Whether a fault stops the robot more sharply than an earlier one; `none` means no fault.
 constexpr bool graver(ErrorCode fault, ErrorCode found) noexcept {
   if (fault == ErrorCode::none) return false;

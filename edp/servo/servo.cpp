@@ -12,6 +12,7 @@ Servo::Servo(const ModelSet& models, Hardware& hardware, double period, ServoCha
       period_(period),
       channel_(hand_over),
       stop_(models.parameters(), period),
+      group_(models.at(0), period),
       synchroniser_(models.parameters(), models.at(ModelSet::kShafts).parameters(), period),
       homing_(models.parameters()),
       encoders_(models.at(0), period),
@@ -40,6 +41,7 @@ bool Servo::use(std::uint8_t index) noexcept {
   model_ = &model;
   model_index_ = index;
   stop_.use(model.parameters());
+  group_.use(model);
   force_motion_.use(model);
   joints_ = read_joints_ = joints;
   velocity_.setZero();
@@ -54,7 +56,7 @@ bool Servo::use(std::uint8_t index) noexcept {
 bool Servo::tick(Tick tick, double ahead, double measured) noexcept {
   now_ = static_cast<double>(tick) + ahead;
   measure(tick, measured);
-  obey_order();
+  obey_order(tick);
   watch(tick);
   if (has_power(state_)) {
     previous_position_ = desired_.position;
@@ -65,12 +67,12 @@ bool Servo::tick(Tick tick, double ahead, double measured) noexcept {
     if (!keeps_limits(tick)) {
       if (model_ == model) desired_ = before;
       boundary_ = last_;
-      stop_and_switch_off();
+      stop_and_switch_off(tick, fault_.code);
       advance(tick);
       model_->joints_to_motors(desired_.position, desired_motors_);
     }
     if (has_power(state_)) regulate();
-    if (state_ == ServoState::stopping && !running_) drives_off();
+    if (state_ == ServoState::stopping && !running_) drives_off(tick);
   } else {
     refuse_foreign();
     desired_ = DesiredState::resting_at(joints_);
@@ -111,10 +113,10 @@ void Servo::record(Tick tick) noexcept {
 void Servo::leave() noexcept {
   leaving_ = true;
   give_up_power();
-  if (state_ == ServoState::on) stop_and_switch_off();
+  if (state_ == ServoState::on) stop_and_switch_off(last_ + 1, ErrorCode::not_enabled);
 }
 
-void Servo::obey_order() noexcept {
+void Servo::obey_order(Tick tick) noexcept {
   while (const ControllerIo* outputs = channel_.outputs.front()) {
     put_out(*outputs);
     channel_.outputs.pop();
@@ -123,7 +125,7 @@ void Servo::obey_order() noexcept {
   if (order == DriveOrder::none) return;
   if (order == DriveOrder::disable) {
     give_up_power();
-    if (state_ == ServoState::on) stop_and_switch_off();
+    if (state_ == ServoState::on) stop_and_switch_off(tick, ErrorCode::not_enabled);
   } else {
     if (state_ == ServoState::stopping || leaving_) return;  // the order waits for the end of the stop
     if (order == DriveOrder::recover && state_ != ServoState::on && !is_cleared(state_)) {
@@ -214,6 +216,7 @@ bool Servo::publish(Tick tick) noexcept {
   snapshot_.orders = orders_;
   snapshot_.epoch = epoch_;
   snapshot_.braking = braking_;
+  snapshot_.given_up = group_.given_up();
   snapshot_.desired = desired_;
   const bool end_known = running_ && active_.kind != Macrostep::Kind::force;
   snapshot_.end = end_known ? active_.to : desired_;

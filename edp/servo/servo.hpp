@@ -15,6 +15,7 @@
 #include "edp/safety/stop_category.hpp"
 #include "edp/servo/drive_homing.hpp"
 #include "edp/servo/emergency_latch.hpp"
+#include "edp/servo/group_stop.hpp"
 #include "edp/servo/regulator.hpp"
 #include "edp/servo/servo_state.hpp"
 #include "edp/servo/servo_tap.hpp"
@@ -34,6 +35,8 @@ namespace mrroc::edp {
 /// Set-points: macrosteps one after the other, each from the tick at which its predecessor ended. When a macrostep ends
 /// in motion and no successor has come by the next tick, the robot brakes within its limits from its set-point, in step
 /// with the other robots of its Move where the command says so, and holds there. At rest it holds the desired position.
+/// The robots of a Move stop as a group: where one of them stops alone, for a fault, at a force limit or without a
+/// successor, the others brake in step from the next tick on; one that meets its force limit, with them.
 ///
 /// Life (ServoState): it starts stopped, with the drives off. `enable` switches them on at the measured position, so
 /// there is no jump, and clears a latched fault; while its cause lasts they stay off. A robot whose drives have lost
@@ -67,6 +70,10 @@ class Servo {
   void use_emergency_stop(const clock::EmergencyStop& stop) noexcept { emergency_.use(stop); }
   /// The digital input that presses the emergency stop while it is off. Before the first tick.
   void use_emergency_terminal(int terminal) noexcept { emergency_.use_terminal(terminal); }
+
+  /// Of the robots on this computer, of which this is number `robot` of the deployment; must outlive this object.
+  /// Before the first tick.
+  void use_group_stops(clock::GroupStops& stops, std::size_t robot) noexcept { group_.use(stops, robot); }
 
   /// A sample of every tick goes to `tap`, which must outlive this object; `waits`: as of SharedRing::claim, under a
   /// simulated clock only. Before the first tick.
@@ -114,12 +121,16 @@ class Servo {
   void find_fault(const Fault& fault) noexcept;
   bool switch_on() noexcept;
   void give_up_power() noexcept;
-  void obey_order() noexcept;
+  void obey_order(Tick tick) noexcept;
   void watch(Tick tick) noexcept;
   Fault find_in_motion() noexcept;
   void watch_force(Tick tick) noexcept;
   void abort_pending() noexcept;
-  void interrupt(const ErrorReport& report, double from) noexcept;
+  void interrupt(const ErrorReport& report, double from, Tick tick) noexcept;
+  void count_interruption(const ErrorReport& report) noexcept;
+  void give_up_group(Tick tick) noexcept;
+  bool moves_in_group() const noexcept;
+  void stop_with_group(Tick tick) noexcept;
   void advance(Tick tick) noexcept;
   void follow(double time, Tick tick) noexcept;
   void follow_force(double now) noexcept;
@@ -134,11 +145,12 @@ class Servo {
   void refuse_foreign() noexcept;
   void brake(double from) noexcept;
   void brake_in_step(const CommonStop& common) noexcept;
+  void brake_with_group() noexcept;
   /// In the reason's category, and from where the robot is if it is hindered (stop_category.hpp).
-  void stop(ErrorCode reason) noexcept;
+  void stop(ErrorCode reason, Tick tick) noexcept;
   void stand_where_it_is() noexcept;
-  void stop_and_switch_off() noexcept;
-  void drives_off() noexcept;
+  void stop_and_switch_off(Tick tick, ErrorCode reason) noexcept;
+  void drives_off(Tick tick) noexcept;
   void latch(const Fault& fault, Tick tick) noexcept;
   bool keeps_limits(Tick tick) noexcept;
   void regulate() noexcept;
@@ -153,6 +165,7 @@ class Servo {
   ServoChannel& channel_;
   Stop stop_;
   CommonStopPath common_stop_;
+  GroupStop group_;
   Synchroniser synchroniser_;
   DriveHoming homing_;
   std::vector<Regulator> regulators_;
@@ -197,6 +210,7 @@ class Servo {
   double force_time_ = 0;  ///< of its last set-point, ticks
   std::uint32_t interruptions_ = 0;
   ErrorReport interruption_;
+  ErrorReport postponed_;  ///< interrupts the motion from the next tick on, with the others of its group
 
   // drives
   std::uint32_t orders_ = 0;  ///< obeyed

@@ -1,5 +1,6 @@
 // The set-points of the servo: macrosteps one after the other, and the ways to leave them.
 #include <algorithm>
+#include <utility>
 
 #include "edp/servo/servo.hpp"
 
@@ -42,8 +43,10 @@ void Servo::advance(Tick tick) noexcept {
     }
     if (start_next(tick)) continue;
     if (desired_.at_rest()) return;
-    if (active_.kind != Macrostep::Kind::stop)
-      ++counters_.stops;  // else a hold that ended before its stop: it continues
+    if (active_.kind != Macrostep::Kind::stop) {  // else a hold that ended before its stop: it continues
+      ++counters_.stops;
+      give_up_group(tick);
+    }
     const CommonStop common = active_.kind == Macrostep::Kind::path ? active_.stop : CommonStop{};
     brake(static_cast<double>(boundary_));
     if (common.ticks > 0) brake_in_step(common);
@@ -66,7 +69,7 @@ void Servo::follow_force(double now) noexcept {
   if (now <= force_time_) return;
   const ErrorReport report =
       force_motion_.step(active_.force, force_.wrench(), force_.mount(), period_ * (now - force_time_), desired_);
-  if (report.error_class != ErrorClass::none) return interrupt(report, force_time_);
+  if (report.error_class != ErrorClass::none) return interrupt(report, force_time_, static_cast<Tick>(now_));
   force_time_ = now;
 }
 
@@ -187,11 +190,19 @@ void Servo::brake_in_step(const CommonStop& common) noexcept {
   active_.to = common_stop_.end();
 }
 
-void Servo::stop(ErrorCode reason) noexcept {
-  if (stop_category(reason) == StopCategory::drives_off) return drives_off();
+/// From the set-point of the last tick, in the middle of a macrostep: in step where the limits allow it.
+void Servo::brake_with_group() noexcept {
+  const bool in_step = moves_in_group() && active_.kind == Macrostep::Kind::path && active_.stop.ticks > 0 &&
+                       group_.passes(desired_, active_.stop, switches_.on());
+  brake(then_);
+  if (in_step) brake_in_step(active_.stop);
+}
+
+void Servo::stop(ErrorCode reason, Tick tick) noexcept {
+  if (stop_category(reason) == StopCategory::drives_off) return drives_off(tick);
   if (state_ == ServoState::stopping) return;
   if (is_hindered(reason)) stand_where_it_is();
-  stop_and_switch_off();
+  stop_and_switch_off(tick, reason);
 }
 
 /// The set-point is the measured state from now on. The regulators see no step: they keep what they have given.
@@ -205,19 +216,21 @@ void Servo::stand_where_it_is() noexcept {
   then_ = now_;
 }
 
-void Servo::stop_and_switch_off() noexcept {
-  if (homing_axis() >= 0) return drives_off();  // a drive that homes does not follow our stop
+void Servo::stop_and_switch_off(Tick tick, ErrorCode reason) noexcept {
+  if (homing_axis() >= 0) return drives_off(tick);  // a drive that homes does not follow our stop
   if (running_ && active_.ticket != 0) finished_ = active_.ticket;
   abort_pending();
-  brake(then_);
+  give_up_group(tick);
+  is_urgent(reason) ? brake(then_) : brake_with_group();
   braking_ = false;
   state_ = ServoState::stopping;
 }
 
 /// At once, in every state of the robot.
-void Servo::drives_off() noexcept {
+void Servo::drives_off(Tick tick) noexcept {
   if (running_ && active_.ticket != 0) finished_ = active_.ticket;
   abort_pending();
+  give_up_group(tick);
   ++epoch_;
   running_ = braking_ = forced_ = false;
   hardware_.enable(false);
@@ -226,12 +239,38 @@ void Servo::drives_off() noexcept {
 }
 
 /// The motion is given up: the robot brakes from the desired state, which is that of the time `from`.
-void Servo::interrupt(const ErrorReport& report, double from) noexcept {
+void Servo::interrupt(const ErrorReport& report, double from, Tick tick) noexcept {
+  count_interruption(report);
+  give_up_group(tick);
+  if (active_.ticket != 0) finished_ = active_.ticket;
+  brake(from);
+  braking_ = false;
+}
+
+void Servo::count_interruption(const ErrorReport& report) noexcept {
   ++interruptions_;
   interruption_ = report;
-  if (active_.ticket != 0) finished_ = active_.ticket;
   abort_pending();
-  brake(from);
+}
+
+/// The others of this motion stop from the next tick on.
+void Servo::give_up_group(Tick tick) noexcept {
+  group_.announce(active_.stop.group, tick);
+  if (postponed_.error_class != ErrorClass::none) count_interruption(std::exchange(postponed_, {}));
+}
+
+bool Servo::moves_in_group() const noexcept {
+  const bool commanded = active_.kind == Macrostep::Kind::path || active_.kind == Macrostep::Kind::force;
+  return active_.stop.group != 0 && commanded && (running_ || !desired_.at_rest());
+}
+
+/// One of the robots that share this motion has stopped in an earlier tick.
+void Servo::stop_with_group(Tick tick) noexcept {
+  if (!group_.is_due(active_.stop.group, tick)) return;
+  give_up_group(tick);
+  if (!moves_in_group()) return;
+  if (active_.ticket != 0) finished_ = active_.ticket;
+  brake_with_group();
   braking_ = false;
 }
 

@@ -97,8 +97,9 @@ void Servo::watch(Tick tick) noexcept {
   }
   if (found_.code != ErrorCode::none) latch(found_, tick);
   if (has_power(state_) && fault_.code != ErrorCode::none)
-    stop(found_.code != ErrorCode::none ? found_.code : fault_.code);
+    stop(found_.code != ErrorCode::none ? found_.code : fault_.code, tick);
   if (force_.present()) watch_force(tick);
+  if (state_ == ServoState::on) stop_with_group(tick);
 }
 
 /// Checks that apply while the drives are on and stay on; counts in every state.
@@ -131,8 +132,14 @@ void Servo::watch_force(Tick tick) noexcept {
     if (active_.kind == Macrostep::Kind::force) doing = ForceWatch::Doing::following;
   }
   const Pose set_point = synchronised ? model_->flange(desired_.position) : Pose::Identity();
-  if (const ErrorReport report = force_.check(doing, set_point); report.error_class != ErrorClass::none)
-    interrupt(report, then_);
+  const ErrorReport report = force_.check(doing, set_point);
+  if (report.error_class == ErrorClass::none || postponed_.error_class != ErrorClass::none) return;
+  if (doing == ForceWatch::Doing::moving && group_.is_shared() && moves_in_group()) {
+    postponed_ = report;
+    group_.announce(active_.stop.group, tick);
+  } else {
+    interrupt(report, then_, tick);
+  }
 }
 
 void Servo::latch(const Fault& fault, Tick tick) noexcept {

@@ -11,9 +11,13 @@ namespace mrroc {
 /// so that d2tau/dt2 is `rate` at the start and 0 at the end. The way is that of the joints with the velocity and the
 /// acceleration of the start: q(tau) = q0 + v0 tau + (a0 - rate v0) tau^2 / 2. Robots that stop at the same tick keep
 /// their relative poses but for terms of the third order in tau.
+///
+/// When one of them stops before its motion ends, for a fault, at a force limit or without a successor in time, those
+/// of the same `group` on its computer stop as well, from the next servo tick on.
 struct CommonStop {
   std::uint16_t ticks = 0;  ///< 0: every joint on its own, as fast as its limits allow
   double rate = 0;          ///< 1/s: relative change of the velocity along the way at the start
+  std::uint64_t group = 0;  ///< names this motion of these robots, after each interruption another one; 0: no group
 };
 
 }  // namespace mrroc

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "clock/emergency_stop.hpp"
+#include "clock/group_stops.hpp"
 #include "mrroc/types.hpp"
 
 namespace mrroc::clock {
@@ -61,6 +62,8 @@ class Clock {
   virtual void notify() noexcept = 0;
   /// The operator's emergency stop of this deployment; same lifetime as the clock. Any thread.
   virtual EmergencyStop& emergency_stop() noexcept = 0;
+  /// The stops of its robots that others join; same lifetime as the clock. Any thread.
+  virtual GroupStops& group_stops() noexcept = 0;
 
   // ---- for injected faults (src/faults)
   /// The tick from which injected fault number `index` is active; kNever: not yet. Any thread.

@@ -11,6 +11,7 @@
 #include "clock/clock.hpp"
 #include "clock/emergency_stop.hpp"
 #include "clock/gate.hpp"
+#include "clock/group_stops.hpp"
 #include "mrroc/fixed_text.hpp"
 #include "mrroc/types.hpp"
 
@@ -87,6 +88,7 @@ struct ClockMemory {
   std::atomic<Tick> tick{0};                              // lockstep: the newest tick that participants may see
   std::atomic<std::uint64_t> delta{0};                    // lockstep: the delta that is open
   EmergencyStop emergency_stop;                           // pressed by the operator, checked by every servo
+  GroupStops group_stops;                                 // every servo
   Gate host;                                              // the host sleeps on it
   std::array<ParticipantSlot, kMaxParticipants + 1> participants;
   std::atomic<std::uint32_t> sender_count{0};

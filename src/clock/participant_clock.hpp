@@ -25,6 +25,7 @@ class ParticipantClock : public Clock {
   void set_off_fault(std::size_t index, Tick tick) noexcept override { clock::set_off_fault(*memory_, index, tick); }
   void end_task() noexcept override { clock::end_task(*memory_); }
   EmergencyStop& emergency_stop() noexcept override { return memory_->emergency_stop; }
+  GroupStops& group_stops() noexcept override { return memory_->group_stops; }
 
  protected:
   ClockMemory& memory() const noexcept { return *memory_; }

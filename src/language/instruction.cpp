@@ -5,6 +5,7 @@
 
 #include "language/instruction_lists.hpp"
 #include "language/stops/common_stop.hpp"
+#include "mrroc/fnv.hpp"
 #include "mrroc/stopped.hpp"
 #include "mrroc/superior.hpp"
 
@@ -97,6 +98,7 @@ Outcome Instruction::run_steps() {
   start_wall_ = task_->wall_seconds();
   obtain_initial_state();
   start_tick_ = newest_tick();
+  name_group();
   throw_reported_errors();
   if (condition_) condition_->start();
   speed_.begin();
@@ -169,6 +171,7 @@ void Instruction::resume_after_late_command() {
 }
 
 void Instruction::resume_generator() {
+  name_group();
   obtain_if_coordinated();
   speed_.begin();
   generator_->resume();
@@ -200,11 +203,17 @@ void Instruction::write_next_state() {
   timing_.plan(robots_, task_->tick());
 }
 
-/// Should the next commands be late.
+/// Should the next commands be late, or one of the robots stop alone.
 void Instruction::stop_together() noexcept {
   if (robots_.size() < 2) return;
   const CommonStop stop = common_stop(robots_, task_->servo_period());
-  for (Robot* robot : robots_) robot->command().stop = stop;
+  for (Robot* robot : robots_) robot->command().stop = {stop.ticks, stop.rate, group_};
+}
+
+/// Of the motion that begins now: no other one of these robots begins in this tick.
+void Instruction::name_group() noexcept {
+  if (robots_.size() < 2) return;
+  group_ = Fnv1a{}.add(robots_[0]->name()).add(task_->process_name()).add(task_->tick()).value();
 }
 
 void Instruction::measure_skew() noexcept {

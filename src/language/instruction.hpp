@@ -57,6 +57,7 @@ class Instruction {
   void send(std::uint64_t next_step);
   /// Awaits every reply, then collects the readings due at `next_step`.
   void receive(std::uint64_t next_step);
+  void name_group() noexcept;
   void measure_skew() noexcept;
 
   // ---- equation (11), in instruction_coordination.cpp
@@ -100,6 +101,7 @@ class Instruction {
   double start_wall_ = 0;
   Tick measure_at_ = 0;
   Tick skew_ = 0;
+  std::uint64_t group_ = 0;       // CommonStop::group
   Superior* superior_ = nullptr;  // in an ECP, of a Move in which the MP takes part
   bool obtained_ = false;         // states by a query since the last step that was observed
   SpeedOverride speed_;

@@ -43,6 +43,7 @@ class FiberScheduler final : public clock::Clock {
   Tick fault_tick(std::size_t index) const noexcept override { return clock_->fault_tick(index); }
   void set_off_fault(std::size_t index, Tick tick) noexcept override { clock_->set_off_fault(index, tick); }
   clock::EmergencyStop& emergency_stop() noexcept override { return clock_->emergency_stop(); }
+  clock::GroupStops& group_stops() noexcept override { return clock_->group_stops(); }
   void end_task() noexcept override { clock_->end_task(); }
   int register_sender(std::string_view topic) override { return clock_->register_sender(topic); }
   int register_receiver(std::string_view topic) override { return clock_->register_receiver(topic); }

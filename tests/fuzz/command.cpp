@@ -86,6 +86,7 @@ class Driver {
     }
     command.stop.ticks = any ? input.take<std::uint16_t>() : input.take<std::uint8_t>();
     command.stop.rate = number(input, any);
+    command.stop.group = input.take<std::uint8_t>() % 3;
     command.choice = input.take<std::uint8_t>();
     command.with_outputs = (flags & 0x80) != 0;
     command.outputs.digital = input.take<std::uint16_t>();

@@ -18,18 +18,38 @@
 namespace mrroc::test::group_stop_test {
 namespace {
 
-constexpr double kTicks = 1500;  // in which the arms surely move
+constexpr double kTicks = 1500;    // in which the arms surely move
+constexpr Tick kStopTicks = 1000;  // more than their stop takes
+
+/// At a wrist that meets nothing, but for a blow.
+class Blow : public edp::ForceSensor {
+ public:
+  const Pose& mount() const noexcept override { return mount_; }
+  edp::WrenchReading read(Tick tick, const Pose*) noexcept override {
+    edp::WrenchReading reading;
+    reading.error = ErrorCode::none;
+    if (tick == at) reading.wrench[2] = 200;
+    return reading;
+  }
+  void bias() noexcept override {}
+  void carry(const Load&) noexcept override {}
+  Tick at = kNever;
+
+ private:
+  Pose mount_ = Pose::Identity();
+};
 
 /// The bar is held at its ends, in the middle of the workspace.
 class Carriers : public LoopbackCell {
  public:
-  Carriers() : LoopbackCell({load_irb6().front(), load_irb6().front()}) {
+  explicit Carriers(Blow* blow = nullptr) : LoopbackCell({load_irb6().front(), load_irb6().front()}, blow) {
     bases_[0] = Eigen::Translation3d(0, 0.45, 0.7);
     bases_[1] = Eigen::Translation3d(0, -0.45, 0.7);
     const JointVector middle = (JointVector(6) << 0, -1.5, 0.2, -0.2, 4.7, 1.6).finished();
     Move({robot(0), robot(1)}, {}, Together{JointLine{robot(0), middle, 1.0}, JointLine{robot(1), middle, 1.0}});
     held_ = between();
     on_tick = [this] {
+      if (!edp::has_power(seen(0).state)) return;  // its set-point is where its brakes hold it
       const Pose error = held_.inverse() * between();
       bent_ = std::max(bent_, error.translation().norm());
       turned_ = std::max(turned_, rotation_vector(error.linear()).norm());
@@ -164,6 +184,71 @@ TEST(GroupStop, EndsOfTheTaskAndOfItsMotionDoNotBendTheBar) {
     worst.print(request == OperatorRequest::stop ? "stop" : "end of the motion");
     worst.expect_small();
   }
+}
+
+TEST(GroupStop, ForceLimitOfOneArmDoesNotBendTheBar) {
+  Worst worst;
+  int met = 0;
+  for (int seed = 1; seed <= tries(50, 200); ++seed) {
+    std::mt19937_64 random(static_cast<std::uint64_t>(seed));
+    Blow blow;
+    Carriers cell(&blow);
+    CooperativeMotion motion(cell.arms(), cell.path(random), kFast);
+    blow.at = cell.tick() + std::uniform_int_distribution<Tick>(20, kTicks)(random);
+    try {
+      Move({cell.robot(0), cell.robot(1)}, {}, motion);
+    } catch (const NonFatalError& error) {
+      EXPECT_EQ(error.code(), ErrorCode::force_limit) << "seed " << seed;
+      ++met;
+    }
+    cell.sleep_until(cell.tick() + kStopTicks);
+    EXPECT_TRUE(cell.seen(0).desired.at_rest() && cell.seen(1).desired.at_rest()) << "seed " << seed;
+    worst.add(cell);
+  }
+  worst.print("force limit of one arm");
+  worst.expect_small();
+  EXPECT_GT(met, 40);
+}
+
+/// `stop` is done to one arm at a random tick.
+Worst after_stops_of_one(const char* kind, int seeds, void (Carriers::*stop)(), bool unknown_to_each_other) {
+  Worst worst;
+  for (int seed = 1; seed <= seeds; ++seed) {
+    std::mt19937_64 random(static_cast<std::uint64_t>(seed));
+    Carriers cell;
+    cell.unknown_to_each_other = unknown_to_each_other;
+    CooperativeMotion motion(cell.arms(), cell.path(random), kFast);
+    const Tick when = cell.tick() + std::uniform_int_distribution<Tick>(20, kTicks)(random);
+    const auto measure = cell.on_tick;
+    cell.on_tick = [&] {
+      measure();
+      if (cell.tick() == when) (cell.*stop)();
+    };
+    EXPECT_THROW(Move({cell.robot(0), cell.robot(1)}, {}, motion), Error) << "seed " << seed;
+    cell.sleep_until(cell.tick() + kStopTicks);
+    EXPECT_TRUE(cell.seen(1).desired.at_rest()) << "seed " << seed;
+    EXPECT_TRUE(cell.seen(1).enabled()) << "seed " << seed;
+    EXPECT_FALSE(cell.seen(0).enabled()) << "seed " << seed;
+    worst.add(cell);
+  }
+  worst.print(kind);
+  return worst;
+}
+
+TEST(GroupStop, ArmThatIsSwitchedOffDoesNotBendTheBar) {
+  const int seeds = tries(50, 200);
+  const Worst worst = after_stops_of_one("one arm switched off", seeds, &Carriers::switch_off, false);
+  worst.expect_small();
+  EXPECT_LT(20 * worst.bent,
+            after_stops_of_one("the same, the other one at the next step", seeds, &Carriers::switch_off, true).bent);
+}
+
+/// It has the shortest stop, the other one that on their common way.
+TEST(GroupStop, EmergencyStopOfOneArmStopsTheOtherOne) {
+  const Worst worst =
+      after_stops_of_one("emergency stop of one arm", tries(50, 200), &Carriers::press_emergency_stop, false);
+  EXPECT_LT(worst.bent, 0.006);
+  EXPECT_LT(worst.turned, 0.006);
 }
 
 }  // namespace

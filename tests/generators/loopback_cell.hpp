@@ -21,8 +21,16 @@ namespace mrroc::test {
 class LoopbackCell : public CellTask {
  public:
   /// The robots are named robot0, robot1, ...
-  explicit LoopbackCell(const std::vector<std::shared_ptr<const RobotModel>>& models) {
-    for (const auto& model : models) cores_.push_back(std::make_unique<Core>(*this, model));
+  explicit LoopbackCell(const std::vector<std::shared_ptr<const RobotModel>>& models) : LoopbackCell(models, nullptr) {}
+  /// The first robot has a force sensor with limits of 50 N and 5 N m.
+  LoopbackCell(const std::vector<std::shared_ptr<const RobotModel>>& models, edp::ForceSensor* sensor) {
+    for (const auto& model : models) {
+      cores_.push_back(std::make_unique<Core>(*this, model));
+      cores_.back()->servo.use_group_stops(group_stops_, cores_.size() - 1);
+    }
+    cores_[0]->servo.use_emergency_stop(emergency_stop_);
+    if (sensor != nullptr)
+      cores_[0]->servo.use_force_sensor(*sensor, (edp::ForceLimits() << 50, 50, 50, 5, 5, 5).finished());
     for (int i = 0; i < 10; ++i) step();
     for (std::size_t i = 0; i < models.size(); ++i)
       robots_.push_back(std::make_unique<Robot>(*this, "robot" + std::to_string(i), RobotModels{models[i]}));
@@ -34,7 +42,12 @@ class LoopbackCell : public CellTask {
   RobotLink& robot_link(const std::string& name, const std::string&) override {
     return *cores_[static_cast<std::size_t>(std::stoi(name.substr(5)))];
   }
-  bool each_on_its_own = false;  ///< robots without a successor do not brake in step
+  bool each_on_its_own = false;        ///< robots without a successor do not brake in step
+  bool unknown_to_each_other = false;  ///< a robot that stops alone does not stop the others
+  /// The first robot stops alone, as fast as it can.
+  void press_emergency_stop() noexcept { emergency_stop_.press(); }
+  /// The first robot is switched off by order.
+  void switch_off() noexcept { cores_[0]->effector.enable(false); }
   /// Called after every tick.
   std::function<void()> on_tick;
 
@@ -57,7 +70,7 @@ class LoopbackCell : public CellTask {
         answered = true;
       }
       const edp::Snapshot& seen = servo.snapshot();
-      ASSERT_EQ(seen.fault.code, ErrorCode::none);
+      ASSERT_TRUE(seen.fault.code == ErrorCode::none || cell->emergency_stop_.presses() > 0);
       JointVector motors;
       ASSERT_EQ(model->joints_to_motors(seen.desired.position, motors), ErrorCode::none);
       for (std::size_t i = 0; i < model->parameters().axes.size(); ++i) {
@@ -72,6 +85,7 @@ class LoopbackCell : public CellTask {
     void send(const RobotCommand& command) override {
       RobotCommand received = command;
       if (cell->each_on_its_own) received.stop = {};
+      if (cell->unknown_to_each_other) received.stop.group = 0;
       edp::Reply reply;
       answered = effector.accept(received, ++number, reply);
       if (answered) answer = reply.state;
@@ -100,6 +114,8 @@ class LoopbackCell : public CellTask {
   }
 
   Tick now_ = 0;
+  clock::GroupStops group_stops_;
+  clock::EmergencyStop emergency_stop_;
   std::vector<std::unique_ptr<Core>> cores_;
   std::vector<std::unique_ptr<Robot>> robots_;
 };

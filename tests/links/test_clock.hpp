@@ -53,6 +53,7 @@ class TestClock final : public clock::Clock {
     open();
   }
   clock::EmergencyStop& emergency_stop() noexcept override { return emergency_stop_; }
+  clock::GroupStops& group_stops() noexcept override { return group_stops_; }
 
   int register_sender(std::string_view) override { return senders.fetch_add(1); }
   int register_receiver(std::string_view) override { return receivers.fetch_add(1); }
@@ -81,6 +82,7 @@ class TestClock final : public clock::Clock {
 
   const bool simulated_;
   clock::EmergencyStop emergency_stop_;
+  clock::GroupStops group_stops_;
   const std::int64_t start_ = clock::monotonic_ns();
   std::atomic<std::uint64_t> delta_{1};
   std::mutex mutex_;

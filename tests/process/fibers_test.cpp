@@ -27,6 +27,7 @@ class JumpingClock final : public clock::Clock {
   void interrupt() noexcept override { interrupted = true; }
   void notify() noexcept override {}
   clock::EmergencyStop& emergency_stop() noexcept override { return emergency_stop_; }
+  clock::GroupStops& group_stops() noexcept override { return group_stops_; }
   int register_sender(std::string_view) override { return 0; }
   int register_receiver(std::string_view) override { return 0; }
   std::uint64_t delta() const noexcept override { return 0; }
@@ -40,6 +41,7 @@ class JumpingClock final : public clock::Clock {
  private:
   Tick tick_ = 0;
   clock::EmergencyStop emergency_stop_;
+  clock::GroupStops group_stops_;
 };
 
 class Fibers : public testing::Test {

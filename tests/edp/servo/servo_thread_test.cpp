@@ -23,6 +23,7 @@ class GridClock : public clock::Clock {
   void interrupt() noexcept override {}
   void notify() noexcept override { notified.fetch_add(1); }
   clock::EmergencyStop& emergency_stop() noexcept override { return emergency_stop_; }
+  clock::GroupStops& group_stops() noexcept override { return group_stops_; }
   int register_sender(std::string_view) override { return 0; }
   int register_receiver(std::string_view) override { return 0; }
   std::uint64_t delta() const noexcept override { return 0; }
@@ -35,6 +36,7 @@ class GridClock : public clock::Clock {
  private:
   std::int64_t epoch_ = clock::monotonic_ns();
   clock::EmergencyStop emergency_stop_;
+  clock::GroupStops group_stops_;
 };
 
 TEST(ServoThread, TicksTheServoWakesTheCommsSideAndEndsWithTheRobotAtRestAndTheDrivesOff) {

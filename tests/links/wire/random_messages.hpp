@@ -98,7 +98,7 @@ template <>
 struct Arbitrary<mrroc::CommonStop> {
   static Gen<mrroc::CommonStop> arbitrary() {
     using T = mrroc::CommonStop;
-    return gen::build<T>(gen::set(&T::ticks), gen::set(&T::rate));
+    return gen::build<T>(gen::set(&T::ticks), gen::set(&T::rate), gen::set(&T::group));
   }
 };
 

@@ -25,7 +25,7 @@ inline bool same(const RobotCommand& a, const RobotCommand& b) {
          same_matrix(a.joint_velocity, b.joint_velocity) && same_matrix(a.joint_acceleration, b.joint_acceleration) &&
          same_matrix(a.pose.matrix(), b.pose.matrix()) && same_matrix(a.twist, b.twist) &&
          a.interpolation == b.interpolation && same_matrix(a.twist_acceleration, b.twist_acceleration) &&
-         a.choice == b.choice && a.stop.ticks == b.stop.ticks &&
+         a.choice == b.choice && a.stop.ticks == b.stop.ticks && a.stop.group == b.stop.group &&
          same_matrix(Eigen::Matrix<double, 1, 1>(a.stop.rate), Eigen::Matrix<double, 1, 1>(b.stop.rate)) &&
          same_matrix(Eigen::Matrix<double, 1, 1>(a.load.mass), Eigen::Matrix<double, 1, 1>(b.load.mass)) &&
          same_matrix(a.load.centre, b.load.centre) && a.with_outputs == b.with_outputs && a.outputs == b.outputs &&

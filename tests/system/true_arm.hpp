@@ -1,0 +1,88 @@
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include <memory>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "calibration/hand_eye.hpp"
+#include "calibration/view_postures.hpp"
+#include "config/deployment.hpp"
+#include "geometry/rigid_motion.hpp"
+#include "robots/irb6/irb6_model.hpp"
+#include "sim/errors/true_errors.hpp"
+#include "sim/scene/model.hpp"
+#include "sim/simulation.hpp"
+
+namespace mrroc::test {
+
+inline constexpr const char* kInspect = MRROC_SOURCE_DIR "/tasks/inspect/inspect.toml";
+/// The camera of tasks/inspect on the flange, as deployed.
+inline const Pose kNominalEye = pose_from_rpy({0.08, 0.0, 0.06}, {0.0, 0.0, std::numbers::pi / 2});
+
+/// The arm of tasks/inspect in a world with errors: its flange, and what its encoders say.
+class TrueArm {
+ public:
+  explicit TrueArm(const config::ErrorsEntry& errors) {
+    config::Deployment deployment = config::load_deployment(kInspect);
+    deployment.sim->errors = errors;
+    for (const AxisParameters& axis : type_->parameters().axes)
+      joints_.push_back(sim::errors_of_joint(errors, "arm", axis.name));
+    model_ = sim::load_model(sim::compose(deployment));
+    data_ = sim::make_data(*model_);
+  }
+
+  Pose flange(const JointVector& joints) {
+    const auto& axes = type_->parameters().axes;
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+      const int joint = mj_name2id(model_.get(), mjOBJ_JOINT, ("arm/" + axes[i].name).c_str());
+      data_->qpos[model_->jnt_qposadr[joint]] = joints[static_cast<Eigen::Index>(i)];
+    }
+    mj_kinematics(model_.get(), data_.get());
+    const int body = mj_name2id(model_.get(), mjOBJ_BODY, "arm/flange");
+    Pose pose = Pose::Identity();
+    pose.translation() = Eigen::Map<const Eigen::Vector3d>(data_->xpos + 3 * body);
+    pose.linear() = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(data_->xmat + 9 * body);
+    return pose;
+  }
+
+  JointVector encoders(JointVector joints) const {
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+      double& joint = joints[static_cast<Eigen::Index>(i)];
+      joint = joints_[i].reported(joint);
+    }
+    return joints;
+  }
+
+  /// What the robot would see of a marker without any error of the pictures, from other postures than those of a
+  /// calibration: by `camera` on the true flange, with the joints that an arm with the zeros of `measured` reports.
+  std::vector<calibration::MarkerView> exact_views(const Pose& camera, const MeasuredArm& measured = {}) {
+    const RobotModel& type = *type_;
+    const JointVector zeros = measured.zeros.size() != 0 ? measured.zeros : JointVector(JointVector::Zero(6));
+    calibration::HandEyeFit looking;
+    looking.camera = kNominalEye;
+    looking.marker = type.flange(type.parameters().home) * kNominalEye * Pose(Eigen::Translation3d(0, 0, 0.4)) *
+                     Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitX());
+    // other postures than those of the calibration
+    const auto postures = calibration::view_postures(type, looking, type.parameters().home, 100,
+                                                     {.tilt = 0.5, .turn = 1.2, .farthest = 1.5, .joint_reach = 2.5});
+    std::vector<calibration::MarkerView> views;
+    for (const JointVector& joints : postures) {
+      calibration::MarkerView& view = views.emplace_back();
+      view.joints = encoders(joints) + zeros;
+      view.marker = (flange(joints) * camera).inverse() * looking.marker;
+      view.side = 0.09;
+    }
+    return views;
+  }
+
+ private:
+  std::shared_ptr<const RobotModel> type_ = load_irb6().front();
+  sim::Model model_;
+  sim::Data data_;
+  std::vector<sim::TrueJoint> joints_;
+};
+
+}  // namespace mrroc::test
