@@ -27,6 +27,7 @@ set(MRROC_INCLUDED_HEADERS
   edp/safety/fault.hpp
   src/clock/clock.hpp
   src/clock/emergency_stop.hpp
+  src/clock/group_stops.hpp
   src/clock/gate.hpp
   src/clock/wall/monotonic.hpp
   src/config/deployment.hpp

@@ -54,9 +54,9 @@ bool visit_fields(M& m, Wire& w, const Visitor& v) noexcept {
          v.field(m.reply_step, w.reply_step) && v.field(m.start_tick, w.start_tick) && v.field(m.joints, w.joints) &&
          v.field(m.joint_velocity, w.joint_velocity) && v.field(m.joint_acceleration, w.joint_acceleration) &&
          v.field(m.pose, w.pose) && v.field(m.twist, w.twist) && v.field(m.twist_acceleration, w.twist_acceleration) &&
-         v.field(m.force, w.force) && v.field(m.stop.ticks, w.stop_ticks) && v.field(m.stop.rate, w.stop_rate) && v.field(m.stop.group, w.stop_group) &&
-         v.field(m.load, w.load) && v.field(m.choice, w.choice) && v.field(m.with_outputs, w.with_outputs) &&
-         v.field(m.outputs, w.outputs);
+         v.field(m.force, w.force) && v.field(m.stop.ticks, w.stop_ticks) && v.field(m.stop.rate, w.stop_rate) &&
+         v.field(m.stop.group, w.stop_group) && v.field(m.load, w.load) && v.field(m.choice, w.choice) &&
+         v.field(m.with_outputs, w.with_outputs) && v.field(m.outputs, w.outputs);
 }
 
 template <Is<RobotState> M, class Wire, class Visitor>
