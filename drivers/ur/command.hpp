@@ -32,14 +32,8 @@ std::vector<std::string> set_point_fields(int registers);
 /// Their values; `values` has as many elements. Allocates nothing.
 void write_set_points(const Command& command, std::span<rtde::Value> values) noexcept;
 
-/// Fields of the recipe of the controller's terminals.
-std::vector<std::string> terminal_fields();
-void write_terminals(const ControllerIo& outputs, std::span<rtde::Value> values) noexcept;
-
 /// Fields of the recipe of the speed slider.
 std::vector<std::string> slider_fields();
 void write_slider(double fraction, std::span<rtde::Value> values) noexcept;
-
-inline constexpr double kAnalogRange = 10;  ///< V, of the controller's analogue terminals
 
 }  // namespace mrroc::ur

@@ -23,6 +23,7 @@ UrOptions options_of(const config::KeyValues& keys) {
   options.speed_acceleration = keys.number("speed_acceleration");
   options.stop_acceleration = keys.number("stop_acceleration");
   options.tool_voltage = integer("tool_voltage");
+  options.tool_terminals = integer("tool_terminals");
   options.speed_slider = keys.number("speed_slider");
   for (std::size_t i = 0; i < options.torque_constants.size(); ++i)
     options.torque_constants[i] = keys.numbers.at("torque_constants").at(i);

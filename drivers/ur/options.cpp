@@ -37,6 +37,7 @@ void check(const UrOptions& options) {
       options.tool_voltage != 24)
     throw std::invalid_argument("tool_voltage is " + std::to_string(options.tool_voltage) +
                                 ", expected 0, 12 or 24, or -1 to leave it unchanged");
+  check_range("tool_terminals", options.tool_terminals, -1, 14);
   if (options.speed_slider != 0) check_range("speed_slider", options.speed_slider, 0.01, 1);
   for (const double constant : options.torque_constants) check_range("torque_constants", constant, 0, 1000);
 }

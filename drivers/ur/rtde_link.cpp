@@ -14,6 +14,7 @@
 #include "clock/wall/sliced_wait.hpp"
 #include "clock/wall/wait.hpp"
 #include "drivers/ur/lockstep.hpp"
+#include "drivers/ur/terminals.hpp"
 
 namespace mrroc::ur {
 namespace {
@@ -81,7 +82,7 @@ void RtdeLink::connect() {
   try {
     connection_.open(state_fields(options_.registers));
     set_points_ = connection_.set_up_inputs(set_point_fields(options_.registers));
-    terminals_ = connection_.set_up_inputs(terminal_fields());
+    terminals_ = connection_.set_up_inputs(terminal_fields(options_.tool_terminals));
     if (options_.speed_slider != 0) slider_ = connection_.set_up_inputs(slider_fields());
     connection_.start();
   } catch (const ConnectionError& error) {
@@ -202,7 +203,7 @@ void RtdeLink::transmit() noexcept {
   // a socket that takes nothing gets the newest set-points when it takes bytes again, not all of the missed ones
   if (command == nullptr || command->sequence == last_sequence_ || connection_.has_unsent()) return;
   if (command->sets_outputs && outputs_ != command->outputs) {
-    write_terminals(command->outputs, terminals_.values);
+    write_terminals(command->outputs, options_.tool_terminals, terminals_.values);
     connection_.put(terminals_);
     outputs_ = command->outputs;
   }

@@ -9,6 +9,7 @@
 #include "drivers/ur/control_script.hpp"
 #include "drivers/ur/lockstep.hpp"
 #include "drivers/ur/lockstep_start.hpp"
+#include "drivers/ur/terminals.hpp"
 #include "drivers/ur/threaded_start.hpp"
 
 namespace mrroc::ur {
@@ -221,7 +222,7 @@ void UrHardware::read(Tick tick, edp::HardwareInput& input) noexcept {
     input.fault_axis = axis_of(fault);
     input.fault_detail = describe(fault);
   }
-  input.inputs.digital = static_cast<std::uint16_t>(state_.digital_inputs & 0xffff);
+  input.inputs.digital = as_numbered(state_.digital_inputs, options_.tool_terminals);
   std::copy(state_.analog_inputs.begin(), state_.analog_inputs.end(), input.inputs.analog.begin());
 }
 

@@ -14,8 +14,6 @@ using mrroc::ur::rtde::Vector3d;
 using mrroc::ur::rtde::Vector6d;
 using mrroc::ur::rtde::Vector6Int32;
 
-constexpr double kAnalogRange = 10;  // V
-
 void merge(std::uint64_t& bits, unsigned shift, std::uint8_t mask, std::uint8_t values) noexcept {
   const std::uint64_t all = static_cast<std::uint64_t>(mask) << shift;
   bits = (bits & ~all) | ((static_cast<std::uint64_t>(values) << shift) & all);
@@ -112,7 +110,7 @@ void VirtualController::fill_inputs() {
   uint8("standard_analog_output_type", [](std::uint8_t) {});
   for (std::size_t i = 0; i < 2; ++i)
     real("standard_analog_output_" + std::to_string(i), [this, i](double fraction) {
-      if ((analog_mask_ >> i & 1) != 0) analog_outputs_[i] = kAnalogRange * std::clamp(fraction, 0.0, 1.0);
+      if ((analog_mask_ >> i & 1) != 0) analog_outputs_[i] = mrroc::ur::kAnalogRange * std::clamp(fraction, 0.0, 1.0);
     });
   inputs_["speed_slider_mask"] = {FieldType::uint32,
                                   [this](const Value& value) { slider_mask_ = std::get<std::uint32_t>(value); }};

@@ -46,6 +46,7 @@ ControllerServers::Options options_of(const mrroc::config::DriverEntry& driver) 
   options.secondary_port = static_cast<int>(driver.number("script_port"));
   options.primary_port = options.realtime_port = 0;  // which the driver does not use
   options.lockstep_register = static_cast<int>(driver.number("registers"));
+  options.controller.tool_terminals = static_cast<int>(driver.number("tool_terminals"));
   return options;
 }
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "drivers/ur/command.hpp"
+#include "drivers/ur/terminals.hpp"
 #include "sim/ur/program_settings.hpp"
 
 namespace mrroc::sim::ur {

@@ -31,12 +31,12 @@ void VirtualController::measure() {
 
 void VirtualController::exchange_terminals() {
   ControllerIo outputs;
-  outputs.digital = static_cast<std::uint16_t>(digital_outputs_ & 0xffff);
+  outputs.digital = mrroc::ur::as_numbered(digital_outputs_, options_.tool_terminals);
   std::copy(analog_outputs_.begin(), analog_outputs_.end(), outputs.analog.begin());
   plant_->set_outputs(outputs);
   const std::optional<ControllerIo> inputs = plant_->inputs();
   if (!inputs) return;
-  digital_inputs_ = inputs->digital;
+  digital_inputs_ = mrroc::ur::as_reported(inputs->digital, options_.tool_terminals);
   std::copy_n(inputs->analog.begin(), analog_inputs_.size(), analog_inputs_.begin());
 }
 

@@ -11,6 +11,7 @@
 #include "drivers/ur/robot_state.hpp"
 #include "drivers/ur/rtde/messages.hpp"
 #include "drivers/ur/rtde/value.hpp"
+#include "drivers/ur/terminals.hpp"
 #include "mrroc/signals.hpp"
 #include "sim/ur/program.hpp"
 #include "sim/ur/program_settings.hpp"
@@ -31,9 +32,10 @@ using mrroc::ur::SafetyMode;
 class VirtualController {
  public:
   struct Options {
-    double period = 0.002;    ///< s
-    double unlock_delay = 5;  ///< s, until a protective stop can be released
-    bool powered = false;     ///< at the start the arm has power and its brakes are released
+    double period = 0.002;                             ///< s
+    double unlock_delay = 5;                           ///< s, until a protective stop can be released
+    bool powered = false;                              ///< at the start the arm has power and its brakes are released
+    int tool_terminals = mrroc::ur::kNoToolTerminals;  ///< numbers in the plant's wiring of those of the tool
     mrroc::ur::rtde::ControllerVersion version{5, 11, 1, 108318};
   };
   VirtualController(Options options, std::unique_ptr<JointPlant> plant);

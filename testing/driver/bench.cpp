@@ -95,18 +95,29 @@ void Bench::pace() const {
 }
 
 const edp::HardwareInput& Bench::tick() {
-  const auto [tick, ahead, measured] = next();
+  exchange(next());
+  pace();
+  return input_;
+}
+
+bool Bench::beat(edp::Beat& beat) {
+  edp::RobotClock& clock = *hardware_->clock();
+  if (!clock.wait(clock::monotonic_ns() + std::llround(100e9 * clock.period()), beat)) return false;
+  exchange({now_, 0, static_cast<double>(now_)});
+  ++now_;
+  return true;
+}
+
+void Bench::exchange(edp::RobotTicker::Place place) {
   input_ = {};
   input_.motors = JointVector::Constant(axes(), std::numeric_limits<double>::quiet_NaN());
   input_.current = input_.motors;
-  input_.time = measured;
-  hardware_->read(tick, input_);
+  input_.time = place.measured;
+  hardware_->read(place.tick, input_);
   device().read(input_.motors);
   hardware_->set_points(target, JointVector::Zero(axes()));
-  hardware_->write(tick, JointVector::Zero(axes()));
+  hardware_->write(place.tick, JointVector::Zero(axes()));
   if (after_tick) after_tick();
-  pace();
-  return input_;
 }
 
 const edp::HardwareInput& Bench::ticks(int count) {

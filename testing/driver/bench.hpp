@@ -72,6 +72,8 @@ class Bench {
   /// One tick without a servo: reads, gives the set-point `target`, writes currents of zero.
   const edp::HardwareInput& tick();
   const edp::HardwareInput& ticks(int count);
+  /// One tick at the next package of a driver with a clock of its own; false: none came in 100 of its periods.
+  bool beat(edp::Beat& beat);
   JointVector target;  ///< of the shafts, rad
   const edp::HardwareInput& input() const { return input_; }
   /// Runs ticks until `holds` for the reading, at most `most`; false if it never did.
@@ -101,6 +103,7 @@ class Bench {
 
  private:
   edp::RobotTicker::Place next();
+  void exchange(edp::RobotTicker::Place place);
   void pace() const;
   bool answered(std::uint64_t number);
 

@@ -13,10 +13,12 @@ struct Check {
   void (*make)(Bench& bench);
 };
 
-/// In the order of their numbers, from 1: before the power, with it, with troubles, in real time. Thirty together.
+/// In the order of their numbers, from 1: before the power, with it, with troubles, in real time, on a clock of its
+/// own. Thirty-three together.
 std::span<const Check> start_checks();
 std::span<const Check> power_checks();
 std::span<const Check> trouble_checks();
 std::span<const Check> real_time_checks();
+std::span<const Check> clock_checks();
 
 }  // namespace mrroc::driver_test

@@ -14,7 +14,7 @@ namespace {
 
 std::vector<Check> all_checks() {
   std::vector<Check> all;
-  for (const auto part : {start_checks(), power_checks(), trouble_checks(), real_time_checks()})
+  for (const auto part : {start_checks(), power_checks(), trouble_checks(), real_time_checks(), clock_checks()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

@@ -1,6 +1,6 @@
-"""A deliberately bad driver fails exactly the checks of the conformance test that it breaks.
+"""A deliberately bad driver, or clock of a driver, fails exactly the checks of the conformance test that it breaks.
 
-Usage: bad_test.py CONFORMANCE_TEST
+Usage: bad_test.py TEST_OF_STREAM TEST_OF_UR PARAMETERS_OF_UR
 """
 
 import os
@@ -9,7 +9,7 @@ import subprocess
 import sys
 import unittest
 
-PROGRAM = sys.argv.pop(1)
+PROGRAM, UR_PROGRAM, UR_PARAMETERS = (sys.argv.pop(1) for _ in range(3))
 
 EXPECTED = {
     "none": set(),
@@ -25,11 +25,25 @@ EXPECTED = {
     "off_the_shaft": {"true_positions"},
 }
 
+OF_THE_CLOCK = {
+    "none": set(),
+    "repeats": {"beats"},
+    "gives_up_early": {"beats_end"},
+    "stays_silent": {"beats_end"},
+    "does_not_count": {"beats_counted"},
+}
+CHECKS = 33
+CLOCK_CHECKS = (31, 32, 33)
 
-def run(defect, *arguments):
+
+def run(defect, *arguments, program=(PROGRAM, "bad", "irb6")):
     return subprocess.run(
-        [PROGRAM, "bad", "irb6", *arguments], env={**os.environ, "MRROC_TEST_DEFECT": defect}, capture_output=True, text=True, check=False
+        [*program, *arguments], env={**os.environ, "MRROC_TEST_DEFECT": defect}, capture_output=True, text=True, check=False
     )
+
+
+def failed(output):
+    return set(re.findall(r"^ *\d+ (\w+) +FAILED", output, re.M))
 
 
 class BadDriver(unittest.TestCase):
@@ -37,10 +51,17 @@ class BadDriver(unittest.TestCase):
         for defect, expected in EXPECTED.items():
             with self.subTest(defect):
                 done = run(defect)
-                failed = set(re.findall(r"^ *\d+ (\w+) +FAILED", done.stdout, re.M))
-                self.assertEqual(failed, expected, done.stdout)
+                self.assertEqual(failed(done.stdout), expected, done.stdout)
                 self.assertEqual(done.returncode, 1 if expected else 0)
-                self.assertEqual(len(re.findall(r"^ *\d+ \w+ ", done.stdout, re.M)), 30, done.stdout)
+                self.assertEqual(len(re.findall(r"^ *\d+ \w+ ", done.stdout, re.M)), CHECKS, done.stdout)
+
+    def test_fails_the_checks_of_the_clock_that_it_breaks(self):
+        for defect, expected in OF_THE_CLOCK.items():
+            with self.subTest(defect):
+                done = [run(defect, "--only", str(number), program=(UR_PROGRAM, "bad_clock", "irb6", UR_PARAMETERS)) for number in CLOCK_CHECKS]
+                output = "".join(each.stdout for each in done)
+                self.assertEqual(failed(output), expected, output)
+                self.assertEqual(output.count(" passed  "), len(CLOCK_CHECKS) - len(expected), output)
 
     def test_a_crash_names_driver_and_call(self):
         done = run("crashes", "--only", "10")

@@ -1,3 +1,4 @@
+#include <cstdlib>
 #include <limits>
 #include <optional>
 
@@ -21,6 +22,8 @@ class UrController final : public StandIn {
   std::string keys() const override {
     std::string text = "address = \"127.0.0.1\"\nmissed_max = 100\nwatchdog = 0.5\ntimeout = 0.5\n";
     text += "script = \"" MRROC_SOURCE_DIR "/drivers/ur/control.script\"\n";
+    if (const char* const defect = std::getenv("MRROC_TEST_DEFECT"))  // of the driver bad_clock
+      text.append("defect = \"").append(defect).append("\"\n");
     if (!servers_) return text + "rtde_port = 9\ndashboard_port = 9\nscript_port = 9";  // discard: none listens there
     const ControllerServers::Ports& ports = servers_->ports();
     text += "rtde_port = " + std::to_string(ports.rtde) + "\ndashboard_port = " + std::to_string(ports.dashboard);

@@ -42,6 +42,7 @@ TEST(DriverKeys, DefaultsAreThoseOfTheOptions) {
   EXPECT_EQ(options.speed_acceleration, expected.speed_acceleration);
   EXPECT_EQ(options.stop_acceleration, expected.stop_acceleration);
   EXPECT_EQ(options.tool_voltage, expected.tool_voltage);
+  EXPECT_EQ(options.tool_terminals, expected.tool_terminals);
   EXPECT_EQ(options.speed_slider, expected.speed_slider);
   EXPECT_EQ(options.torque_constants, expected.torque_constants);
 }

@@ -100,6 +100,22 @@ TEST(UrHardware, ExchangesTheControllersTerminals) {
   EXPECT_NEAR(rig.controller.ask([](VirtualController& c) { return c.analog_output(1); }), 1, 1e-9);
 }
 
+TEST(UrHardware, ToolsTerminalsTakeTheirNumbersFromTheControllers) {
+  Rig rig(Interface::position, free_ports(), [](UrOptions& options) { options.tool_terminals = 6; });
+  rig.controller.servers.with([](VirtualController& c) { c.set_inputs(0x300c1, 0, 0); });
+  EXPECT_TRUE(rig.tick_until([&] { return rig.input.inputs.digital == 0x00c1; }));
+  rig.controller.servers.with([](VirtualController& c) { c.set_inputs(0x201c1, 0, 0); });
+  EXPECT_TRUE(rig.tick_until([&] { return rig.input.inputs.digital == 0x0181; }));
+  ControllerIo outputs;
+  outputs.digital = 0x10c1;
+  rig.hardware->set_outputs(outputs);
+  const auto reported = [&] { return rig.controller.ask([](VirtualController& c) { return c.digital_outputs(); }); };
+  EXPECT_TRUE(rig.tick_until([&] { return reported() == 0x31001u; }));
+  outputs.set(6, false);
+  rig.hardware->set_outputs(outputs);
+  EXPECT_TRUE(rig.tick_until([&] { return reported() == 0x21001u; }));
+}
+
 /// Things that are wired to the controller, and to the connector of the tool.
 struct WiredJoints : ExactJoints {
   WiredJoints() : ExactJoints(Six{0, -1.5, 1.5, -1.5, -1.5, 0}) {}
