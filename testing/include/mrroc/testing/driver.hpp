@@ -5,8 +5,8 @@
 #include "edp/driver.hpp"
 #include "edp/shell.hpp"
 
-/// The conformance test of drivers: thirty-three checks that any driver's author can run on theirs (`mrroc_add_driver_test`,
-/// docs/how-to/writing-a-driver.md).
+/// The conformance test of drivers: thirty-three checks that any driver's author can run on theirs
+/// (`mrroc_add_driver_test`, docs/how-to/writing-a-driver.md).
 namespace mrroc::driver_test {
 
 /// What a device, or the way to it, does wrong.
