@@ -63,6 +63,7 @@ void DriveNode::reset_communication(std::int64_t now) {
 /// Restarts the communication.
 void DriveNode::restart(std::int64_t now) {
   nmt_ = NmtState::pre_operational;
+  sdo_.reset();
   store_.lock_mappings(false);
   command_.reset();
   feedback_.reset();

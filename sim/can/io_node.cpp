@@ -42,6 +42,7 @@ void IoNode::boot(std::int64_t now) {
 
 void IoNode::restart(std::int64_t now) {
   nmt_ = NmtState::pre_operational;
+  sdo_.reset();
   store_->lock_mappings(false);
   receive_.clear();
   transmit_.clear();

@@ -25,16 +25,16 @@ bool is_mapping(std::uint16_t index) noexcept { return is_parameter(static_cast<
 
 }  // namespace
 
-ObjectStore::ObjectStore(const EdsFile& eds, NodeId node) : eds_(eds), node_(node) { reset(); }
-
-void ObjectStore::reset() {
-  values_.clear();
-  for (const auto& [object, entry] : eds_.entries()) values_[object] = {&entry, configured_bytes(entry, node_)};
+ObjectStore::ObjectStore(const EdsFile& eds, NodeId node) : eds_(eds) {
+  for (const auto& [object, entry] : eds_.entries()) defaults_[object] = {&entry, configured_bytes(entry, node)};
+  reset();
 }
+
+void ObjectStore::reset() { values_ = defaults_; }
 
 void ObjectStore::reset_communication() {
   for (auto& [object, value] : values_)
-    if (object.index >= 0x1000 && object.index < 0x2000) value.bytes = configured_bytes(*value.entry, node_);
+    if (object.index >= 0x1000 && object.index < 0x2000) value.bytes = defaults_.at(object).bytes;
 }
 
 SdoAbort ObjectStore::read(Object object, std::vector<std::uint8_t>& value) const {

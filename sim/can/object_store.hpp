@@ -45,8 +45,7 @@ class ObjectStore {
   canopen::SdoAbort mapping_refusal(canopen::Object object, std::uint32_t value) const;
 
   canopen::EdsFile eds_;
-  canopen::NodeId node_;
-  std::map<canopen::Object, Value> values_;
+  std::map<canopen::Object, Value> defaults_, values_;
   bool mappings_locked_ = false;
 };
 

@@ -18,6 +18,9 @@ class SdoServer {
   /// The answer to a frame; nothing when it is not a request to this node, or is an abort.
   std::optional<can::Frame> answer(const can::Frame& request);
 
+  /// The node has restarted: a transfer under way is forgotten.
+  void reset() noexcept { uploading_ = false; }
+
  private:
   can::Frame abort(const can::Frame& request, canopen::SdoAbort why) const;
   can::Frame upload(const can::Frame& request);

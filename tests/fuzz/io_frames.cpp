@@ -84,7 +84,12 @@ class IoMaster {
 class IoSlaves {
  public:
   explicit IoSlaves(const config::IoTable& table) {
-    for (const config::IoEntry& entry : table.nodes) nodes_.emplace_back(entry, &fuzz::check_sent).boot(0);
+    for (const config::IoEntry& entry : table.nodes) nodes_.emplace_back(entry, &fuzz::check_sent);
+  }
+
+  void boot() {
+    now_ = 0;
+    for (sim::IoNode& node : nodes_) node.boot(now_);
   }
 
   void take(const can::Frame& frame) {
@@ -111,11 +116,15 @@ class IoSlaves {
 }  // namespace
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  // reading an EDS file takes longer than the frames: of nodes that have just been switched on
   static const config::IoTable tables[] = {table_of(false), table_of(true)};
+  static const IoMaster masters[] = {IoMaster(tables[0]), IoMaster(tables[1])};
+  static IoSlaves all_slaves[] = {IoSlaves(tables[0]), IoSlaves(tables[1])};
   fuzz::Bytes input(data, size);
-  const config::IoTable& table = tables[input.take<std::uint8_t>() % 2];
-  IoMaster master(table);
-  IoSlaves slaves(table);
+  const std::size_t split = input.take<std::uint8_t>() % 2;
+  IoMaster master = masters[split];
+  IoSlaves& slaves = all_slaves[split];
+  slaves.boot();
   while (!input.empty()) {
     const can::Frame frame = fuzz::take_frame(input);
     master.take(frame);
