@@ -17,8 +17,9 @@ class GroupStops {
  public:
   static constexpr std::size_t kMaxRobots = 64;
 
-  /// Robot `robot`, below kMaxRobots, stops in `tick`. Its servo's thread.
+  /// Robot `robot` of the deployment stops in `tick`; one from kMaxRobots on does so alone. Its servo's thread.
   void announce(std::size_t robot, std::uint64_t group, Tick tick) noexcept {
+    if (robot >= kMaxRobots) return;
     Entry& entry = entries_[robot];
     if (entry.group.load(std::memory_order_relaxed) == group) return;  // its first stop counts
     entry.group.store(0, std::memory_order_relaxed);

@@ -32,5 +32,11 @@ TEST(GroupStops, ALaterMotionReplacesAnEarlierOne) {
   EXPECT_TRUE(stops.has_stopped(8, 91));
 }
 
+TEST(GroupStops, RobotsBeyondTheTableStopAlone) {
+  GroupStops stops;
+  stops.announce(GroupStops::kMaxRobots, 5, 40);
+  EXPECT_FALSE(stops.has_stopped(5, 41));
+}
+
 }  // namespace
 }  // namespace mrroc::clock::group_stops_test
