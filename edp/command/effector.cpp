@@ -62,6 +62,7 @@ void Effector::refresh() noexcept {
     end_ = snapshot_->end;
     end_tick_ = snapshot_->end_tick;
     unreported_ = snapshot_->braking;
+    joined_ = snapshot_->joined;
     forced_ = false;
   }
   for (Outstanding& entry : outstanding_)
@@ -142,7 +143,9 @@ Effector::Outstanding* Effector::free_place() noexcept {
 ErrorReport Effector::hand_over(Outstanding& entry) noexcept {
   const RobotCommand& command = entry.command;
   const bool moves = is_motion(command.kind);
-  if (unreported_ && moves && !entry.late) {
+  const bool given_up = command.stop.group != 0 && command.stop.group == snapshot_->given_up;
+  // a motion that was to continue that of a group finds the robot at rest, as if it were late
+  if ((unreported_ || (joined_ && !given_up)) && moves && !entry.late) {
     entry.late = true;
     ++counters_.late;
   }
@@ -177,7 +180,6 @@ ErrorReport Effector::hand_over(Outstanding& entry) noexcept {
     macrostep_.from = macrostep_.to = from;
   } else {
     const Pace pace = entry.late || entry.after_force ? Pace::stretched : Pace::as_commanded;
-    const bool given_up = command.stop.group != 0 && command.stop.group == snapshot_->given_up;
     const ErrorReport error = planner_.plan(given_up ? hold_instead_of(command) : command, from, pace, macrostep_);
     if (bad(error)) return error;
   }
@@ -256,7 +258,7 @@ bool Effector::poll(Reply& reply) noexcept {
                         : make_report(ErrorClass::non_fatal, ErrorCode::not_enabled, "the drives were switched off");
         interruptions_told_ = then.interruptions;
       }
-      if (then.epoch == epoch_) unreported_ = false;
+      if (then.epoch == epoch_) unreported_ = joined_ = false;
       entry->replied = true;
     }
     channel_.reports.pop();

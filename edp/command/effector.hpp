@@ -132,6 +132,7 @@ class Effector {
   bool holding_ = false;     ///< the last accepted macrostep is a hold: it may end before the stop does
   bool forced_ = false;      ///< the last accepted motion of this epoch is one of force: `end_` is not known
   bool unreported_ = false;  ///< the robot has braked and no reply has reported it yet
+  bool joined_ = false;      ///< it has braked because another robot of its motion had stopped, not reported either
   std::array<Outstanding, 2> outstanding_{};
   std::uint64_t last_ticket_ = 0;
   Tick macrostep_start_ = 0;  ///< of the last one that was answered

@@ -16,7 +16,7 @@ void Effector::answer(std::uint64_t number, const ErrorReport& error, Reply& rep
     reply.state.error = error;
     ++counters_.refused;
   }
-  unreported_ = false;
+  unreported_ = joined_ = false;
 }
 
 bool Effector::peek(RobotState& state) noexcept {

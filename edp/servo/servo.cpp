@@ -165,7 +165,7 @@ bool Servo::switch_on() noexcept {
     return false;
   }
   ++epoch_;
-  braking_ = false;
+  braking_ = joined_ = false;
   desired_ = DesiredState::resting_at(joints_);
   desired_motors_ = previous_motors_ = measured_motors_;
   boundary_ = last_;
@@ -216,6 +216,7 @@ bool Servo::publish(Tick tick) noexcept {
   snapshot_.orders = orders_;
   snapshot_.epoch = epoch_;
   snapshot_.braking = braking_;
+  snapshot_.joined = joined_;
   snapshot_.given_up = group_.given_up();
   snapshot_.desired = desired_;
   const bool end_known = running_ && active_.kind != Macrostep::Kind::force;

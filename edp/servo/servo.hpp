@@ -130,6 +130,7 @@ class Servo {
   void count_interruption(const ErrorReport& report) noexcept;
   void give_up_group(Tick tick) noexcept;
   bool moves_in_group() const noexcept;
+  bool continues_elsewhere() const noexcept;
   void stop_with_group(Tick tick) noexcept;
   void advance(Tick tick) noexcept;
   void follow(double time, Tick tick) noexcept;
@@ -201,6 +202,7 @@ class Servo {
   std::uint64_t finished_ = 0;
   std::uint32_t epoch_ = 0;
   bool braking_ = false;
+  bool joined_ = false;
   bool in_step_ = false;  ///< the stop under way is `common_stop_`
 
   // force

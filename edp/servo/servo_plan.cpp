@@ -1,6 +1,5 @@
 // The set-points of the servo: macrosteps one after the other, and the ways to leave them.
 #include <algorithm>
-#include <utility>
 
 #include "edp/servo/servo.hpp"
 
@@ -169,7 +168,7 @@ void Servo::refuse_foreign() noexcept {
 /// From the set-point, which is that of the time `from`, ticks.
 void Servo::brake(double from) noexcept {
   ++epoch_;
-  forced_ = false;
+  forced_ = joined_ = false;
   stop_.plan(desired_);
   active_.kind = Macrostep::Kind::stop;
   active_.ticket = 0;
@@ -180,22 +179,6 @@ void Servo::brake(double from) noexcept {
   active_.to = stop_.end();
   in_step_ = false;
   running_ = true;
-}
-
-/// As the other robots of its Move do.
-void Servo::brake_in_step(const CommonStop& common) noexcept {
-  common_stop_.plan(desired_, common, period_);
-  in_step_ = true;
-  active_.steps = common_stop_.ticks();
-  active_.to = common_stop_.end();
-}
-
-/// From the set-point of the last tick, in the middle of a macrostep: in step where the limits allow it.
-void Servo::brake_with_group() noexcept {
-  const bool in_step = moves_in_group() && active_.kind == Macrostep::Kind::path && active_.stop.ticks > 0 &&
-                       group_.passes(desired_, active_.stop, switches_.on());
-  brake(then_);
-  if (in_step) brake_in_step(active_.stop);
 }
 
 void Servo::stop(ErrorCode reason, Tick tick) noexcept {
@@ -232,7 +215,7 @@ void Servo::drives_off(Tick tick) noexcept {
   abort_pending();
   give_up_group(tick);
   ++epoch_;
-  running_ = braking_ = forced_ = false;
+  running_ = braking_ = joined_ = forced_ = false;
   hardware_.enable(false);
   state_ = ServoState::off;
   current_.setZero();
@@ -251,27 +234,6 @@ void Servo::count_interruption(const ErrorReport& report) noexcept {
   ++interruptions_;
   interruption_ = report;
   abort_pending();
-}
-
-/// The others of this motion stop from the next tick on.
-void Servo::give_up_group(Tick tick) noexcept {
-  group_.announce(active_.stop.group, tick);
-  if (postponed_.error_class != ErrorClass::none) count_interruption(std::exchange(postponed_, {}));
-}
-
-bool Servo::moves_in_group() const noexcept {
-  const bool commanded = active_.kind == Macrostep::Kind::path || active_.kind == Macrostep::Kind::force;
-  return active_.stop.group != 0 && commanded && (running_ || !desired_.at_rest());
-}
-
-/// One of the robots that share this motion has stopped in an earlier tick.
-void Servo::stop_with_group(Tick tick) noexcept {
-  if (!group_.is_due(active_.stop.group, tick)) return;
-  give_up_group(tick);
-  if (!moves_in_group()) return;
-  if (active_.ticket != 0) finished_ = active_.ticket;
-  brake_with_group();
-  braking_ = false;
 }
 
 void Servo::abort_pending() noexcept {

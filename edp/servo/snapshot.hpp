@@ -19,6 +19,7 @@ struct Snapshot : MeasuredState {
   std::uint32_t orders = 0;    ///< how many DriveOrders have been obeyed
   std::uint32_t epoch = 0;     ///< counts how often the servo left the accepted plan (braked, was switched on or off)
   bool braking = false;        ///< the epoch began by braking because no successor came
+  bool joined = false;         ///< the epoch began by braking because another robot of the motion had stopped
   std::uint64_t given_up = 0;  ///< CommonStop::group of the motion that was left last
   DesiredState desired;        ///< set-point of `tick`
   DesiredState end;            ///< end of the macrostep or stop under way; `desired` when the robot rests

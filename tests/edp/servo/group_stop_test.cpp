@@ -170,6 +170,35 @@ TEST(GroupStop, OtherMotionsContinue) {
   }
 }
 
+/// The end of a motion, which the next one of a single robot continues.
+TEST(GroupStop, RobotThatContinuesInAnotherMotionIsLeftAlone) {
+  Pair pair;
+  pair.move(kVelocity);
+  pair.run(10);
+  ASSERT_FALSE(pair.b.send(Pair::command(pair.b, kVelocity, {kStop.ticks, 0, kStop.group + 1})));
+  pair.run(60);
+  drive_fault(pair);
+  pair.run(100);
+  EXPECT_TRUE(pair.b.seen().desired.velocity.isApprox(kVelocity, 1e-9));
+  EXPECT_EQ(pair.b.effector.counters().late, 0u);
+}
+
+TEST(GroupStop, CommandThatWouldHaveContinuedTheMotionIsLate) {
+  Pair pair;
+  pair.move(kVelocity);
+  pair.run(20);
+  RobotCommand next = joint_command(pair.b.seen().end.position + 0.1 * kVelocity, 100, 100);  // and rest there
+  next.stop = {kStop.ticks, 0, kStop.group + 1};
+  pair.run(60);
+  drive_fault(pair);
+  pair.run(4);  // the other robot brakes already
+  ASSERT_FALSE(pair.b.send(next)) << pair.b.answer.state.error.detail.view();
+  EXPECT_EQ(pair.b.effector.counters().late, 1u);
+  pair.run(2000);
+  EXPECT_TRUE((pair.b.seen().desired.position - next.joints).isZero(1e-9));
+  EXPECT_EQ(pair.b.seen().fault.code, ErrorCode::none);
+}
+
 TEST(GroupStop, IsTheRobotsOwnWhereTheCommonOneWouldLeaveTheLimits) {
   for (const CommonStop stop : {CommonStop{10, 0, 7}, CommonStop{10'000, 0, 7}, CommonStop{0, 0, 7}}) {
     Pair pair;
