@@ -30,8 +30,8 @@ Macrostep::Kind kind_of(CommandKind change) noexcept {
   }
 }
 
-/// What is executed of a command whose motion the robot and those of its group have given up: nothing, so that they
-/// stay in step.
+/// What is executed of a command whose motion the robot and those of its group have given up, or which is late and of
+/// several robots in motion: nothing, so that they stay in step.
 RobotCommand hold_instead_of(const RobotCommand& command) noexcept {
   RobotCommand hold;
   hold.kind = CommandKind::hold;
@@ -144,8 +144,8 @@ ErrorReport Effector::hand_over(Outstanding& entry) noexcept {
   const RobotCommand& command = entry.command;
   const bool moves = is_motion(command.kind);
   const bool given_up = command.stop.group != 0 && command.stop.group == snapshot_->given_up;
-  // a motion that was to continue that of a group finds the robot at rest, as if it were late
-  if ((unreported_ || (joined_ && !given_up)) && moves && !entry.late) {
+  // one of a motion that has been given up, or that was to continue it, finds the robot at rest, as if it were late
+  if ((unreported_ || joined_ || given_up) && moves && !entry.late) {
     entry.late = true;
     ++counters_.late;
   }
@@ -167,6 +167,7 @@ ErrorReport Effector::hand_over(Outstanding& entry) noexcept {
     planner_.plan_stop(from, 1, stop_);
     stop_.ticket = 0;
     stop_.epoch = epoch_;
+    stop_.stop = {.group = command.stop.group};
     stop_.start = at;
     from = stop_.to;
     at += stop_.steps;
@@ -180,7 +181,8 @@ ErrorReport Effector::hand_over(Outstanding& entry) noexcept {
     macrostep_.from = macrostep_.to = from;
   } else {
     const Pace pace = entry.late || entry.after_force ? Pace::stretched : Pace::as_commanded;
-    const ErrorReport error = planner_.plan(given_up ? hold_instead_of(command) : command, from, pace, macrostep_);
+    const bool holds = given_up || (entry.late && command.stop.ticks > 0);
+    const ErrorReport error = planner_.plan(holds ? hold_instead_of(command) : command, from, pace, macrostep_);
     if (bad(error)) return error;
   }
   if (moves && macrostep_.steps > command.motion_steps) ++counters_.stretched;
@@ -195,6 +197,7 @@ ErrorReport Effector::hand_over(Outstanding& entry) noexcept {
   end_tick_ = macrostep_.start + macrostep_.steps;
   entry.start = macrostep_.start;
   entry.end = end_tick_;
+  entry.epoch = epoch_;
   forced_ = macrostep_.kind == Macrostep::Kind::force;
   holding_ = command.kind == CommandKind::hold;
   return {};
@@ -248,7 +251,7 @@ bool Effector::poll(Reply& reply) noexcept {
       reply.command = entry->number;
       if (kind == Report::Kind::reply) {
         macrostep_start_ = report->start;
-        if (then.epoch == epoch_) begun(*entry, report->start);
+        if (then.epoch == epoch_ && entry->epoch == epoch_) begun(*entry, report->start);
       }
       fill(then, then.end, then.end_tick, reply.state);
       if (kind == Report::Kind::aborted && then.fault.code == ErrorCode::none) {
@@ -256,8 +259,8 @@ bool Effector::poll(Reply& reply) noexcept {
         reply.state.error =
             interrupted ? then.interruption
                         : make_report(ErrorClass::non_fatal, ErrorCode::not_enabled, "the drives were switched off");
-        interruptions_told_ = then.interruptions;
       }
+      if (kind == Report::Kind::aborted) interruptions_told_ = then.interruptions;
       if (then.epoch == epoch_) unreported_ = joined_ = false;
       entry->replied = true;
     }

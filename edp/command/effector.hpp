@@ -89,6 +89,7 @@ class Effector {
     bool late = false;
     bool after_force = false;         ///< planned from a stop of which its sender had no report
     std::uint32_t interruptions = 0;  ///< reported to its sender
+    std::uint32_t epoch = 0;          ///< when its macrostep was handed over
     std::uint64_t ticket = 0;
     std::uint64_t number = 0;
     RobotCommand command;

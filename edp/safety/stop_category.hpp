@@ -9,7 +9,7 @@ namespace mrroc::edp {
 /// The stop categories of IEC 60204-1, 9.2.2.
 enum class StopCategory : std::uint8_t {
   drives_off = 0,     ///< the drives lose their power at once: their brakes stop the robot
-  stop_then_off = 1,  ///< along the jerk-limited Stop, then the drives go off
+  stop_then_off = 1,  ///< along the jerk-limited Stop, or in step (is_urgent), then the drives go off
   stop_and_hold = 2   ///< along the jerk-limited Stop, then the drives hold the robot where it is
 };
 
@@ -36,8 +36,8 @@ constexpr StopCategory stop_category(ErrorCode reason) noexcept {
     case ErrorCode::sensor_out_of_range:
     case ErrorCode::sensor_hardware:
       return StopCategory::stop_and_hold;
-    // an obstacle or a person in danger, and the drives still follow: the shortest stop within the limits, without
-    // power after it. This is also the default for unforeseen causes.
+    // an obstacle or a person in danger, and the drives still follow: a stop within the limits, without power after it,
+    // the shortest one where it is urgent. This is also the default for unforeseen causes.
     case ErrorCode::emergency_stop:
     case ErrorCode::following_error:
     case ErrorCode::over_current:
@@ -67,7 +67,8 @@ constexpr bool is_urgent(ErrorCode reason) noexcept {
 /// Whether a fault stops the robot more sharply than an earlier one; `none` means no fault.
 constexpr bool graver(ErrorCode fault, ErrorCode found) noexcept {
   if (fault == ErrorCode::none) return false;
-  return found == ErrorCode::none || stop_category(fault) < stop_category(found);
+  if (found == ErrorCode::none || stop_category(fault) < stop_category(found)) return true;
+  return stop_category(fault) == stop_category(found) && is_urgent(fault) && !is_urgent(found);
 }
 
 }  // namespace mrroc::edp

@@ -21,7 +21,7 @@ class GroupStop {
   void use(const RobotModel& model) noexcept { limits_.use(model); }
 
   /// Whether its stops reach others at all.
-  bool is_shared() const noexcept { return stops_ != nullptr; }
+  bool is_shared() const noexcept { return stops_ != nullptr && robot_ < clock::GroupStops::kMaxRobots; }
   /// The robot stops in `tick`, or begins to with the others in the next one.
   void announce(std::uint64_t group, Tick tick) noexcept {
     if (group == 0) return;
@@ -34,18 +34,19 @@ class GroupStop {
     given_up_ = group;
     return true;
   }
-  /// The last motion that has been given up: its commands move the robot no more.
+  /// The last motion that has been given up: its commands hold the robot.
   std::uint64_t given_up() const noexcept { return given_up_; }
 
   /// Whether `stop` from `from`, in the middle of a macrostep, stays inside the limits. Its planner has checked it from
-  /// the macrostep's end only.
+  /// the macrostep's end only. False for one of more than 500 ticks, which is too long for a fault, and for a check
+  /// in one tick.
   bool passes(const DesiredState& from, const CommonStop& stop, const LimitSwitches& switches) noexcept {
-    constexpr std::uint32_t kSamples = 64;  // so that a tick remains short, however long the stop
-    CommonStopPath path;
-    path.plan(from, stop, period_);
+    constexpr std::uint32_t kMostTicks = 500;
+    if (stop.ticks > kMostTicks) return false;
+    path_.plan(from, stop, period_);
     limits_.stand_on(switches);
     limits_.begin(from);
-    return limits_.passes(path, kSamples);
+    return limits_.passes(path_);
   }
 
  private:
@@ -53,6 +54,7 @@ class GroupStop {
   std::size_t robot_ = 0;
   std::uint64_t given_up_ = 0;
   LimitCheck limits_;
+  CommonStopPath path_;
   double period_;
 };
 

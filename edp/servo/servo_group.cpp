@@ -16,24 +16,31 @@ bool is_commanded_motion(Macrostep::Kind kind) noexcept {
 /// The others of this motion stop from the next tick on.
 void Servo::give_up_group(Tick tick) noexcept {
   group_.announce(active_.stop.group, tick);
-  if (postponed_.error_class != ErrorClass::none) count_interruption(std::exchange(postponed_, {}));
+  const ErrorReport postponed = std::exchange(postponed_, {});
+  if (postponed.error_class != ErrorClass::none && fault_.code == ErrorCode::none) count_interruption(postponed);
 }
 
 bool Servo::moves_in_group() const noexcept {
   return active_.stop.group != 0 && is_commanded_motion(active_.kind) && (running_ || !desired_.at_rest());
 }
 
-/// The next macrostep is there, and is of another motion: the others have come to the end of this one.
+/// The motion ends, and the next macrostep is of another one: the others have come to the same end.
 bool Servo::continues_elsewhere() const noexcept {
+  constexpr double kSkew = 10;  // ticks, between robots with clocks of their own
   const Macrostep* const next = channel_.macrosteps.front();
-  return next != nullptr && next->epoch == epoch_ && is_commanded_motion(next->kind) &&
+  const bool ends = !running_ || now_ + kSkew >= static_cast<double>(active_.start + active_.steps);
+  return ends && next != nullptr && next->epoch == epoch_ && is_commanded_motion(next->kind) &&
          next->stop.group != active_.stop.group;
 }
 
 /// One of the robots that share this motion has stopped in an earlier tick.
 void Servo::stop_with_group(Tick tick) noexcept {
   const bool own = postponed_.error_class != ErrorClass::none;
-  if ((!own && continues_elsewhere()) || !group_.is_due(active_.stop.group, tick)) return;
+  if (!own && continues_elsewhere()) return;
+  if (!group_.is_due(active_.stop.group, tick)) {
+    if (own) interrupt(std::exchange(postponed_, {}), then_, tick);  // another motion has begun in between
+    return;
+  }
   give_up_group(tick);
   if (!moves_in_group()) return;
   if (active_.ticket != 0) finished_ = active_.ticket;

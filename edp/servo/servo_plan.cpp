@@ -183,7 +183,7 @@ void Servo::brake(double from) noexcept {
 
 void Servo::stop(ErrorCode reason, Tick tick) noexcept {
   if (stop_category(reason) == StopCategory::drives_off) return drives_off(tick);
-  if (state_ == ServoState::stopping) return;
+  if (state_ == ServoState::stopping && !(in_step_ && is_urgent(reason))) return;
   if (is_hindered(reason)) stand_where_it_is();
   stop_and_switch_off(tick, reason);
 }

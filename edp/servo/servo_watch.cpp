@@ -98,8 +98,8 @@ void Servo::watch(Tick tick) noexcept {
   if (found_.code != ErrorCode::none) latch(found_, tick);
   if (has_power(state_) && fault_.code != ErrorCode::none)
     stop(found_.code != ErrorCode::none ? found_.code : fault_.code, tick);
-  if (force_.present()) watch_force(tick);
   if (state_ == ServoState::on) stop_with_group(tick);
+  if (force_.present()) watch_force(tick);
 }
 
 /// Checks that apply while the drives are on and stay on; counts in every state.

@@ -146,15 +146,13 @@ ErrorReport LimitCheck::check_between(const DesiredState& before, const DesiredS
   return {};
 }
 
-bool LimitCheck::passes(const CommonStopPath& stop, std::uint32_t most_samples) noexcept {
-  const std::uint32_t samples = std::min(stop.ticks(), most_samples);
-  const std::uint32_t every = samples < stop.ticks() ? 1 : kMotorTicks;
-  const double duration = stop.ticks() * period_ / samples;
+bool LimitCheck::passes(const CommonStopPath& stop) noexcept {
   DesiredState previous = stop.at(0);
-  for (std::uint32_t k = 1; k <= samples; ++k) {
-    const DesiredState state = stop.at(k * duration);
-    if (bad(check_state(state, k)) || bad(check_between(previous, state, duration, k))) return false;
-    if ((k % every == 0 || k == samples) && bad(check_motors(state.position, k, "motor position"))) return false;
+  for (std::uint32_t k = 1; k <= stop.ticks(); ++k) {
+    const DesiredState state = stop.at(k * period_);
+    if (bad(check_state(state, k)) || bad(check_between(previous, state, period_, k))) return false;
+    if ((k % kMotorTicks == 0 || k == stop.ticks()) && bad(check_motors(state.position, k, "motor position")))
+      return false;
     previous = state;
   }
   return true;

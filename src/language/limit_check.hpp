@@ -1,6 +1,5 @@
 #pragma once
 
-#include <limits>
 #include <vector>
 
 #include "core/error_report.hpp"
@@ -73,10 +72,8 @@ class LimitCheck {
   }
 
   /// Whether `stop`, which begins at the end state that has passed the check last, or at that of `begin`, keeps all
-  /// limits; the motors are checked at its end and at every eighth tick. Of a stop of more than `most_samples` ticks as
-  /// many samples are checked, their motors too.
-  bool passes(const CommonStopPath& stop,
-              std::uint32_t most_samples = std::numeric_limits<std::uint32_t>::max()) noexcept;
+  /// limits; the motors are checked at its end and at every eighth tick.
+  bool passes(const CommonStopPath& stop) noexcept;
 
   /// A motion whose set-points are not known beforehand begins at `from`.
   void begin(const DesiredState& from) noexcept { widen(from); }
