@@ -2,6 +2,19 @@
 
 namespace mrroc::cli::trace {
 
+namespace {
+
+/// One of its robots: it reports an error, or a late command.
+bool has_stopped_alone(const Step& step) {
+  for (std::size_t i = 0; i < step.line.robots.size(); ++i) {
+    const RobotEntry& robot = step.line.robots[i];
+    if (robot.error != ErrorClass::none || robot.late > step.before->robots[i].late) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
 std::vector<Answer> answers(const Step& step) {
   std::vector<Answer> found;
   const Line& line = step.line;
@@ -25,6 +38,7 @@ std::vector<Answer> answers(const Step& step) {
     answer.after_force = forced && from.command->kind != CommandKind::force;
     answer.late = to.late > from.late;
     answer.in_group = line.robots.size() > 1 || from.superior || to.superior;
+    answer.joined = !to.moving && line.robots.size() > 1 && has_stopped_alone(step);
     answer.by_ecp = to.coordination == Coordination::takes_part;
     found.push_back(answer);
   }

@@ -20,6 +20,8 @@ struct Answer {
   bool late = false;
   /// A robot of several in one Move.
   bool in_group = false;
+  /// It rests, and another robot of the Move has stopped alone: it may have stopped with that one, anywhere.
+  bool joined = false;
   /// The robot executed a command of its ECP, equation (11): a step of that process has it.
   bool by_ecp = false;
 

@@ -66,7 +66,7 @@ void macrostep_end(const Step& step, Findings& findings) {
         findings.add(words("robot ", answer.to.name, " moves after its macrostep"), "rest, or a stop");
       continue;
     }
-    if (answer.by_ecp) continue;
+    if (answer.by_ecp || answer.joined) continue;
     if (command.kind == CommandKind::force) {
       if (answer.to.desired_tick != answer.to.tick && answer.to.tick < end)
         findings.add(found, words(answer.to.tick, ", the set-point of now: where a force motion leads is not known"));

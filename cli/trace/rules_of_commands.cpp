@@ -37,10 +37,13 @@ bool near(const Numbers& a, const Numbers& b, double tolerance) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), close);
 }
 
+/// The state is not where the command leads.
+bool left_it(const Answer& answer) { return answer.braked() || answer.held_instead() || answer.joined; }
+
 void joint_target(const Step& step, Findings& findings) {
   for (const Answer& answer : answers(step)) {
     const CommandEntry& command = answer.command;
-    if (command.kind != CommandKind::joint || answer.by_ecp || answer.braked() || answer.held_instead()) continue;
+    if (command.kind != CommandKind::joint || answer.by_ecp || left_it(answer)) continue;
     if (command.relative && !answer.continues()) continue;
     Numbers target = command.target;
     if (command.relative && target.size() == answer.from.desired.size())
@@ -62,7 +65,7 @@ Eigen::Isometry3d to_pose(const Numbers& numbers) {
 void pose_target(const Step& step, Findings& findings) {
   for (const Answer& answer : answers(step)) {
     const CommandEntry& command = answer.command;
-    if (command.kind != CommandKind::pose || answer.by_ecp || answer.braked() || answer.held_instead()) continue;
+    if (command.kind != CommandKind::pose || answer.by_ecp || left_it(answer)) continue;
     if (command.relative && !answer.continues()) continue;
     Eigen::Isometry3d target = to_pose(command.target);
     if (command.relative) target = to_pose(answer.from.desired_pose) * target;
