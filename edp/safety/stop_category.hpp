@@ -67,8 +67,7 @@ constexpr bool is_urgent(ErrorCode reason) noexcept {
 /// Whether a fault stops the robot more sharply than an earlier one; `none` means no fault.
 constexpr bool graver(ErrorCode fault, ErrorCode found) noexcept {
   if (fault == ErrorCode::none) return false;
-  if (found == ErrorCode::none || stop_category(fault) < stop_category(found)) return true;
-  return stop_category(fault) == stop_category(found) && is_urgent(fault) && !is_urgent(found);
+  return found == ErrorCode::none || stop_category(fault) < stop_category(found);
 }
 
 }  // namespace mrroc::edp

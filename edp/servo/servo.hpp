@@ -184,7 +184,8 @@ class Servo {
   JointVector read_joints_;  ///< those of the last new reading
 
   // what may stop the robot
-  Fault found_;  ///< by the readings of this tick, in every state of the robot
+  Fault found_;          ///< by the readings of this tick, in every state of the robot
+  bool urgent_ = false;  ///< one of them, even if another one is reported
   EncoderWatch encoders_;
   CurrentWatch currents_;
   MotionWatch motion_;

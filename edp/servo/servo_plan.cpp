@@ -183,7 +183,7 @@ void Servo::brake(double from) noexcept {
 
 void Servo::stop(ErrorCode reason, Tick tick) noexcept {
   if (stop_category(reason) == StopCategory::drives_off) return drives_off(tick);
-  if (state_ == ServoState::stopping && !(in_step_ && is_urgent(reason))) return;
+  if (state_ == ServoState::stopping && !(in_step_ && (urgent_ || is_urgent(reason)))) return;
   if (is_hindered(reason)) stand_where_it_is();
   stop_and_switch_off(tick, reason);
 }
@@ -204,7 +204,7 @@ void Servo::stop_and_switch_off(Tick tick, ErrorCode reason) noexcept {
   if (running_ && active_.ticket != 0) finished_ = active_.ticket;
   abort_pending();
   give_up_group(tick);
-  is_urgent(reason) ? brake(then_) : brake_with_group();
+  urgent_ || is_urgent(reason) ? brake(then_) : brake_with_group();
   braking_ = false;
   state_ = ServoState::stopping;
 }

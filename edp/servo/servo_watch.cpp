@@ -36,7 +36,9 @@ void Servo::measure(Tick tick, double measured) noexcept {
   input_.fault_axis = -1;
   input_.fault_detail = {};
   hardware_.read(tick, input_);
-  found_ = {input_.fault, input_.fault_axis, input_.fault_detail};
+  found_ = {};
+  urgent_ = false;
+  find_fault({input_.fault, input_.fault_axis, input_.fault_detail});
   check_encoders();
   if (!ticked_) {
     last_ = tick == 0 ? 0 : tick - 1;
@@ -82,6 +84,7 @@ void Servo::check_encoders() noexcept {
 
 /// A fault in the readings stops the robot like one that the drives report; the more severe one counts.
 void Servo::find_fault(const Fault& fault) noexcept {
+  urgent_ = urgent_ || (fault.code != ErrorCode::none && is_urgent(fault.code));
   if (graver(fault.code, found_.code)) found_ = fault;
 }
 
