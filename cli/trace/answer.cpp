@@ -4,10 +4,11 @@ namespace mrroc::cli::trace {
 
 namespace {
 
-/// One of its robots: it reports an error, or a late command.
-bool has_stopped_alone(const Step& step) {
+/// Whether a robot beside number `self` has stopped alone: it reports an error, or a late command.
+bool has_another_stopped(const Step& step, std::size_t self) {
   for (std::size_t i = 0; i < step.line.robots.size(); ++i) {
     const RobotEntry& robot = step.line.robots[i];
+    if (i == self) continue;
     if (robot.error != ErrorClass::none || robot.late > step.before->robots[i].late) return true;
   }
   return false;
@@ -38,7 +39,7 @@ std::vector<Answer> answers(const Step& step) {
     answer.after_force = forced && from.command->kind != CommandKind::force;
     answer.late = to.late > from.late;
     answer.in_group = line.robots.size() > 1 || from.superior || to.superior;
-    answer.joined = !to.moving && line.robots.size() > 1 && has_stopped_alone(step);
+    answer.joined = !to.moving && has_another_stopped(step, i);
     answer.by_ecp = to.coordination == Coordination::takes_part;
     found.push_back(answer);
   }

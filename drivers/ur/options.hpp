@@ -30,11 +30,10 @@ struct UrOptions {
   double speed_acceleration = 15;  ///< rad/s^2, of speedj
   double stop_acceleration = 10;   ///< rad/s^2, of stopj
 
-  double payload_mass = 0;                 ///< kg, beyond the flange
-  std::array<double, 3> payload_centre{};  ///< m, its centre of gravity in the frame of the flange
-  int tool_voltage = -1;                   ///< V, of the tool's connector: 0, 12 or 24; -1: unchanged
-  int tool_terminals =
-      -1;  ///< numbers of the tool's digital terminals: this one and the next; -1: none (terminals.hpp)
+  double payload_mass = 0;                   ///< kg, beyond the flange
+  std::array<double, 3> payload_centre{};    ///< m, its centre of gravity in the frame of the flange
+  int tool_voltage = -1;                     ///< V, of the tool's connector: 0, 12 or 24; -1: unchanged
+  int tool_terminals = -1;                   ///< number of the first digital one of the tool; -1: none (terminals.hpp)
   double speed_slider = 0;                   ///< 0.01 to 1; 0: unchanged
   std::array<double, 6> torque_constants{};  ///< N m/A at the joints; 0: the measured currents in A are reported
 };

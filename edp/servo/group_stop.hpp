@@ -7,8 +7,8 @@
 namespace mrroc::edp {
 
 /// What one robot and the others of its motion do for each other's stops (CommonStop::group): it announces its own,
-/// and finds that another one has stopped. Motions are named by their group; 0 is none. The servo's thread; allocates
-/// only in its constructor, never throws.
+/// and finds that another one has stopped. Motions are named by their group; 0: in no group. The servo's thread;
+/// allocates only in its constructor, never throws.
 class GroupStop {
  public:
   GroupStop(const RobotModel& model, double period) : limits_(model, period), period_(period) {}

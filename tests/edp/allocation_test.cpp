@@ -4,6 +4,7 @@
 
 #include "allocations.hpp"
 #include "edp/force/force_rig.hpp"
+#include "edp/servo/group_rig.hpp"
 
 namespace mrroc::edp::allocation_test {
 namespace {
@@ -127,6 +128,24 @@ TEST(Allocation, StopsDoNotAllocate) {
   EXPECT_EQ(stopped, 20);
   EXPECT_GE(refused, 8);
   EXPECT_EQ(rig.seen().fault.code, ErrorCode::none);
+}
+
+TEST(Allocation, StopsOfAGroupDoNotAllocate) {
+  for (const Break fault : {drive_fault, switched_off, force_limit}) {
+    Pair pair;
+    pair.a.replies.reserve(10);
+    pair.b.replies.reserve(10);
+    pair.move(kVelocity);
+    pair.run(50);
+    {
+      const Counting scope;
+      fault(pair);
+      pair.run(300);
+    }
+    EXPECT_EQ(Counting::counted(), 0u);
+    EXPECT_EQ(pair.b.seen().given_up, kStop.group);
+    EXPECT_TRUE(pair.b.seen().desired.at_rest());
+  }
 }
 
 TEST(Allocation, ForceMotionsAndTheirInterruptionsDoNotAllocate) {
