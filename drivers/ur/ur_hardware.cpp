@@ -187,7 +187,11 @@ UrFault UrHardware::find_fault(Tick tick) const noexcept {
 
 bool UrHardware::wait(std::int64_t deadline, edp::Beat& beat) noexcept {
   const RobotState* newest = nullptr;
-  if (!link_.wait(deadline) || (newest = link_.newest()) == nullptr) return false;
+  // the signal of a package may come after a wait that an earlier one has ended, and that has given it already
+  do {
+    if (!link_.wait(deadline)) return false;
+    newest = link_.newest();
+  } while (newest == nullptr || (has_state_ && newest->number == state_.number));
   state_ = *newest;
   has_state_ = fresh_ = true;
   beat = {state_.timestamp, state_.received};

@@ -14,13 +14,10 @@ import time
 import unittest
 
 import numpy
-import rosless
 from ros2_peers import DOMAIN, PRESS, SOURCE, Flood, Run, enter_network, hash_of, udp_ports
+from ros2_readers import Readers
 from ros2_trigger import TriggerClient, endpoints
 
-# rosless aligns an empty sequence of numbers, which CDR does not: the last field is only its count
-rosless.register_type("sensor_msgs/msg/JointState",
-                      "std_msgs/Header header\nstring[] name\nfloat64[] position\nfloat64[] velocity\nuint32 effort_count")
 TOPICS = {  # of press: type, whether a late subscriber receives the last message
     "/joint_states": ("sensor_msgs/msg/JointState", False),
     "/tf": ("tf2_msgs/msg/TFMessage", False),
@@ -86,19 +83,15 @@ class Ros2(unittest.TestCase):
 
     def receive(self, names, enough, ready=lambda: None):
         """Messages of these topics until each has `enough`, or one; `ready` is called when all are subscribed."""
-        node = rosless.Node(DOMAIN)
-        readers = {}
-        for name in names:
-            kind, last = KINDS[name]
-            readers[name] = node.subscribe(name, kind, wait=0.0, reliability="reliable", durability="transient_local" if last else "volatile")
+        durability = {True: "transient_local", False: "volatile"}
+        readers = Readers({name: (KINDS[name][0], {"reliability": "reliable", "durability": durability[KINDS[name][1]]}) for name in names})
         ready()
         found = {name: [] for name in names}
         end = time.monotonic() + 60
         while any(len(found[name]) < (1 if KINDS[name][1] else enough) for name in names):
             self.assertLess(time.monotonic(), end, {name: len(each) for name, each in found.items()})
-            for name, reader in readers.items():
-                if (message := reader.read(timeout=0.002)) is not None:
-                    found[name].append(message)
+            for name, message in readers.read(timeout=0.002).items():
+                found[name].append(message)
         return found
 
     def test_rosless_sees_every_message_of_a_run(self):
@@ -236,13 +229,13 @@ rate = 25
     def test_who_receives_pictures_changes_nothing(self):
         recording = self.folder / "quiet.mcap"
         self.run_press("--clock", "lockstep", "--record", recording, deployment=INSPECT).end()
-        reader = rosless.Node(DOMAIN).subscribe("/eye/image_raw", CAMERA_TOPICS["/eye/image_raw"][0], wait=0.0)
+        readers = Readers({"/eye/image_raw": (CAMERA_TOPICS["/eye/image_raw"][0], {})})
         pictures, hashes = 0, set()
         for number in range(20):  # on a busy machine a run may be over before its first picture is drawn
             watched = self.folder / f"{number}.mcap"
             run = self.run_press("--clock", "lockstep", "--ros2", "--record", watched, deployment=INSPECT)
             while run.process.poll() is None:
-                pictures += reader.read(timeout=0.05) is not None
+                pictures += len(readers.read(timeout=0.05))
             run.end()
             hashes.add(hash_of(watched))
             if pictures:

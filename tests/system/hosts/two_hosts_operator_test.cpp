@@ -139,6 +139,7 @@ TEST_F(TwoHostsOperated, OrdersAreRefusedWithTheReasonOfTheOtherHost) {
   const std::string far = refusal("step", {{"axis", "column"}, {"distance", "50"}});
   EXPECT_NE(far.find("arm"), std::string::npos) << far;
   EXPECT_TRUE(run.request("start").ok());
+  EXPECT_TRUE(await_arm([](const Json& arm) { return !at_rest(arm); })) << "the task commands it from then on";
   const std::string taken = refusal("step", {{"axis", "column"}, {"distance", "0.1"}});
   EXPECT_NE(taken.find("busy: the task"), std::string::npos) << taken;
   EXPECT_EQ(run_->wait(), 0) << output();
