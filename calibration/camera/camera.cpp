@@ -15,7 +15,9 @@ class CameraCalibration : public ecp::Task {
 
   void calibrate(const CalibrateCamera& order) {
     require_fixed_base(*this, arm);
-    const AgreedFit agreed = views.estimate(view_order(order));
+    ViewOrder shown = view_order(order);
+    shown.cap = {.tilt = 0.5, .turn = 0.5, .joint_reach = 2.0};  // an arm has little room around what it holds
+    const AgreedFit agreed = views.estimate(shown);
     const std::string eye{order.sensor.view()};
     report_camera({.kind = "camera",
                    .eye = eye,

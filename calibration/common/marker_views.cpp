@@ -47,10 +47,12 @@ MarkerViews::MarkerViews(ecp::Task& task, Robot& arm, Carried carried) : task_(t
     cameras_.try_emplace(entry->name, task, entry->name);
 }
 
-/// The views of those postures from which the marker is seen.
+/// The views of those postures from which the marker is seen. Each joint comes from the same side, so that its play is
+/// the same in all of them, and counts as a part of its zero.
 std::vector<MarkerView> MarkerViews::seen_from(const std::vector<JointVector>& postures, Camera& eye, double speed) {
   std::vector<MarkerView> views;
   for (const JointVector& posture : postures) {
+    Move({arm_}, {}, JointLine{arm_, before_posture(posture), speed});
     Move({arm_}, {}, JointLine{arm_, posture, speed});
     if (const auto view = take_view(arm_, eye)) views.push_back(*view);
   }

@@ -9,6 +9,7 @@
 #include "calibration/common/report.hpp"
 #include "calibration/kinematics/calibrate_kinematics.hpp"
 #include "kinematics/measured_chain.hpp"
+#include "kinematics/measured_joints.hpp"
 
 namespace mrroc::calibration {
 namespace {
@@ -16,7 +17,7 @@ namespace {
 constexpr std::size_t kKeptOut = 5;  // every fifth view
 constexpr double kExact = 1e-9;      // rad or m: of joints that are not estimated
 // the ranges of the keys
-constexpr double kLargestZero = 0.2, kLargestPosition = 0.05, kLargestRotation = 0.1;  // rad or m; m; rad
+constexpr double kLargestZero = 0.2, kLargestGear = 0.05, kLargestPosition = 0.05, kLargestRotation = 0.1;  // rad, m
 
 /// Root mean square of the residuals of views that an estimate has not seen, rad.
 double expected_residual(const RobotModel& model, const HandEyeFit& fit, const std::vector<MarkerView>& views) {
@@ -31,22 +32,29 @@ Values rounded(const Values& values) {
   return values.unaryExpr([](double value) { return std::round(value * 1e9) / 1e9 + 0.0; });
 }
 
-/// Of three numbers of each link, from number `from` of its six on.
-double largest(const std::vector<Twist>& links, Eigen::Index from) {
+using Triples = std::vector<Eigen::Vector3d>;
+
+/// Of each link the three numbers from number `from` of its six on.
+Triples part(const std::vector<Twist>& links, Eigen::Index from) {
+  Triples part;
+  for (const Twist& link : links) part.emplace_back(link.segment<3>(from));
+  return part;
+}
+
+double largest(const Triples& triples) {
   double largest = 0;
-  for (const Twist& link : links) largest = std::max(largest, link.segment<3>(from).cwiseAbs().maxCoeff());
+  for (const Eigen::Vector3d& triple : triples) largest = std::max(largest, triple.cwiseAbs().maxCoeff());
   return largest;
 }
 
-/// Three numbers of each link, from number `from` of its six on.
-std::string toml_rows(const std::vector<Twist>& links, Eigen::Index from) {
-  Eigen::VectorXd numbers(3 * std::ssize(links));
-  for (std::size_t i = 0; i < links.size(); ++i)
-    numbers.segment<3>(3 * static_cast<Eigen::Index>(i)) = links[i].segment<3>(from);
-  return toml_list(rounded(numbers));
+std::string toml_line(const char* key, const Triples& triples, const char* unit) {
+  if (triples.empty()) return "";
+  Eigen::VectorXd numbers(3 * std::ssize(triples));
+  for (std::size_t i = 0; i < triples.size(); ++i) numbers.segment<3>(3 * static_cast<Eigen::Index>(i)) = triples[i];
+  return std::string(key).append(" = ").append(toml_list(rounded(numbers))).append("  # ").append(unit).append("\n");
 }
 
-/// Finds the zeros of the joints and the places of the axes by looking at a marker from many sides.
+/// Finds zeros, gears and axes of an arm by looking at a marker from many sides.
 class KinematicCalibration : public ecp::Task {
   AnyRobot arm{*this};
   MarkerViews marker{*this, arm};
@@ -60,12 +68,13 @@ class KinematicCalibration : public ecp::Task {
     ViewOrder view_order = calibration::view_order(order);
     view_order.cap = {.tilt = 0.6, .turn = 1.5, .nearest = 0.9, .farthest = 1.7, .joint_reach = 2.5};
     std::vector<MarkerView> views = marker.take(view_order);
-    if (entry.measured_arm.zeros.size() != 0)
-      for (MarkerView& view : views) view.joints -= entry.measured_arm.zeros;  // what the encoders say
+    const kinematics::MeasuredJoints deployed(entry.measured_arm, model.joint_count());
+    for (MarkerView& view : views) view.joints = deployed.encoders(view.joints);
 
     HandEyePriors nominal = view_order.priors, measured = view_order.priors;
     nominal.joint = kExact;
     if (with_links) measured.link_position = measured.link_rotation = order.link_deviation;
+    measured.gear = order.gear_deviation;
     const AgreedFit agreed = agreed_fit(model, views, measured);
     std::vector<MarkerView> used, kept_out;
     for (std::size_t k = 0; k < agreed.used.size(); ++k)
@@ -77,21 +86,27 @@ class KinematicCalibration : public ecp::Task {
     print(agreed.fit);
     std::printf("views that were kept out are expected within %.3f mrad, %.3f mrad before\n", 1000 * after,
                 1000 * before);
-    const std::vector<Bound> bounds{{"residual", "rad", residual, order.residual_bound},
-                                    {"residual of views kept out", "rad", after, 1.1 * before},
-                                    {"largest zero", "rad", agreed.fit.joints.cwiseAbs().maxCoeff(), kLargestZero},
-                                    {"largest link", "m", largest(agreed.fit.links, 0), kLargestPosition},
-                                    {"largest turn of a link", "rad", largest(agreed.fit.links, 3), kLargestRotation}};
+    const std::vector<Bound> bounds{
+        {"residual", "rad", residual, order.residual_bound},
+        {"residual of views kept out", "rad", after, 1.1 * before},
+        {"largest zero", "rad", agreed.fit.arm.zeros.cwiseAbs().maxCoeff(), kLargestZero},
+        {"largest gear", "rad", largest(agreed.fit.arm.gears), kLargestGear},
+        {"largest link", "m", largest(part(agreed.fit.arm.links, 0)), kLargestPosition},
+        {"largest turn of a link", "rad", largest(part(agreed.fit.arm.links, 3)), kLargestRotation}};
     judge(bounds);
     write_calibration(std::string(order.into.view()), "kinematics", "robot '" + arm.name() + "'", bounds,
                       text_of(agreed.fit));
   }
 
   static void print(const HandEyeFit& fit) {
-    for (Eigen::Index i = 0; i < fit.joints.size(); ++i) {
-      std::printf("axis %td: zero %.5f rad", i + 1, rounded(fit.joints)[i]);
-      if (!fit.links.empty()) {
-        const Twist link = 1000 * rounded(fit.links[static_cast<std::size_t>(i)]);
+    for (Eigen::Index i = 0; i < fit.arm.zeros.size(); ++i) {
+      std::printf("axis %td: zero %.5f rad", i + 1, rounded(fit.arm.zeros)[i]);
+      if (!fit.arm.gears.empty()) {
+        const Eigen::Vector3d gear = 1000 * rounded(fit.arm.gears[static_cast<std::size_t>(i)]);
+        std::printf(", gear (%.3f, %.3f, %.3f) mrad", gear[0], gear[1], gear[2]);
+      }
+      if (!fit.arm.links.empty()) {
+        const Twist link = 1000 * rounded(fit.arm.links[static_cast<std::size_t>(i)]);
         std::printf(", link (%.3f, %.3f, %.3f) mm, (%.3f, %.3f, %.3f) mrad", link[0], link[1], link[2], link[3],
                     link[4], link[5]);
       }
@@ -102,10 +117,10 @@ class KinematicCalibration : public ecp::Task {
 
   std::string text_of(const HandEyeFit& fit) const {
     std::string text =
-        "[robots." + arm.name() + "]\njoint_zeros = " + toml_list(rounded(fit.joints)) + "  # rad or m\n";
-    if (!fit.links.empty())
-      text += "link_positions = " + toml_rows(fit.links, 0) +
-              "  # m, of each axis\nlink_rotations = " + toml_rows(fit.links, 3) + "  # rad\n";
+        "[robots." + arm.name() + "]\njoint_zeros = " + toml_list(rounded(fit.arm.zeros)) + "  # rad or m\n";
+    text += toml_line("joint_gears", fit.arm.gears, "rad, of each axis");
+    text += toml_line("link_positions", part(fit.arm.links, 0), "m, of each axis");
+    text += toml_line("link_rotations", part(fit.arm.links, 3), "rad");
     return text;
   }
 

@@ -125,7 +125,9 @@ std::vector<CalibrationSetting> of_an_arm(std::vector<CalibrationSetting> settin
     if (setting.name == "joint_deviation") setting.value = 0.001;
   }
   settings.push_back({"link_deviation", false, 0.0003, 0, 0.05,
-                      "m, and as many rad: expected error of each link; 0: find the zeros of the joints only"});
+                      "m, and as many rad: expected error of each link; 0: as in the robot's model"});
+  settings.push_back({"gear_deviation", false, 0.0002, 0, 0.01,
+                      "rad: expected error of each gear's ratio and eccentricity; 0: as in the robot's model"});
   return settings;
 }
 
@@ -151,7 +153,7 @@ std::vector<CalibrationKind> calibration_kinds() {
            "Pose of a robot's base in the world, from views of a marker whose place there is known", sees_markers(),
            with_marker_pose(view_settings()), true, true},
           {"kinematics", "CalibrateKinematics", "camera",
-           "Zeros of a robot's joints and places of its axes, from views of a marker that does not move",
+           "Zeros of a robot's joints, its gears and places of its axes, from views of a marker that does not move",
            sees_markers(), of_an_arm(view_settings())},
           {"camera", "CalibrateCamera", "camera",
            "Pose of a camera that does not move, and its focal length, from views of a marker that a robot carries",

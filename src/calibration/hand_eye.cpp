@@ -8,6 +8,7 @@
 
 #include "geometry/rigid_motion.hpp"
 #include "kinematics/measured_chain.hpp"
+#include "kinematics/measured_joints.hpp"
 #include "mrroc/errors.hpp"
 
 namespace mrroc::calibration {
@@ -20,6 +21,7 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 constexpr double kStep = 1e-6;       // m, rad or 1, of the derivatives
+constexpr double kNone = 1e-12;      // rad
 constexpr double kLeastAxes = 0.02;  // of the smaller rotations, rad: their axes differ
 
 /// X of A_j X = X B_j by Park and Martin.
@@ -57,18 +59,20 @@ Pose moved_part(const Pose& flange, Carried carried) { return carried == Carried
 /// The arm as estimated.
 class EstimatedArm {
  public:
-  EstimatedArm(const RobotModel& model, const HandEyeFit& fit) : model_(model), fit_(fit) {
-    if (!fit.links.empty()) chain_ = kinematics::measured_chain(model, fit.links);
+  EstimatedArm(const RobotModel& model, const HandEyeFit& fit)
+      : model_(model), carried_(fit.carried), joints_(fit.arm, model.joint_count()) {
+    if (!fit.arm.links.empty()) chain_ = kinematics::measured_chain(model, fit.arm.links);
   }
-  /// F where the encoders say `joints`.
-  Pose part_at(const JointVector& joints) const {
-    const JointVector found = joints + fit_.joints;
-    return moved_part(chain_ ? chain_->flange(found) : model_.flange(found), fit_.carried);
+  /// F where the encoders say this.
+  Pose part_at(const JointVector& encoders) const {
+    const JointVector joints = joints_.joints(encoders);
+    return moved_part(chain_ ? chain_->flange(joints) : model_.flange(joints), carried_);
   }
 
  private:
   const RobotModel& model_;
-  const HandEyeFit& fit_;
+  const Carried carried_;
+  const kinematics::MeasuredJoints joints_;
   std::optional<kinematics::SerialChain> chain_;
 };
 
@@ -109,7 +113,7 @@ Matrix8 weight_of(const MarkerView& view, const HandEyePriors& priors, Carried c
   return covariance.llt().matrixL().solve(Matrix8::Identity());
 }
 
-/// Parameters: X and Z as increments (translation, rotation vector) of their starts, e, k1, d, then the links.
+/// Parameters: X and Z as increments (translation, rotation vector) of their starts, e, k1, d, then gears and links.
 struct Problem {
   using Scalar = double;
   using InputType = VectorXd;
@@ -125,9 +129,10 @@ struct Problem {
   std::vector<Matrix8> weights;  // of each view: difference^T W^T W difference
 
   int joints() const { return model->joint_count(); }
+  int gears() const { return priors.gear > 0 ? 3 * joints() : 0; }
   int links() const { return priors.estimate_links() ? 6 * joints() : 0; }
-  int inputs() const { return 14 + joints() + links(); }
-  int values() const { return 8 * static_cast<int>(views->size()) + 2 + joints() + links(); }
+  int inputs() const { return 14 + joints() + gears() + links(); }
+  int values() const { return 8 * static_cast<int>(views->size()) + inputs() - 12; }
 
   static Pose moved(const Pose& start, const VectorXd& x, Index from) {
     Pose pose = start;
@@ -142,8 +147,10 @@ struct Problem {
     fit.marker = moved(marker, x, 6);
     fit.focal = x[12];
     fit.k1 = x[13];
-    fit.joints = x.segment(14, joints());
-    for (Index from = 14 + joints(); from < x.size(); from += 6) fit.links.emplace_back(x.segment<6>(from));
+    fit.arm.zeros = x.segment(14, joints());
+    Index from = 14 + joints();
+    for (; from < x.size() - links(); from += 3) fit.arm.gears.emplace_back(x.segment<3>(from));
+    for (; from < x.size(); from += 6) fit.arm.links.emplace_back(x.segment<6>(from));
     return fit;
   }
   static Corners difference(const EstimatedArm& arm, const HandEyeFit& fit, const MarkerView& view) {
@@ -161,9 +168,14 @@ struct Problem {
     }
     residuals[row] = fit.focal / priors.focal;
     residuals[row + 1] = fit.k1 / priors.k1;
-    residuals.segment(row + 2, joints()) = fit.joints / priors.joint;
+    residuals.segment(row + 2, joints()) = fit.arm.zeros / priors.joint;
     row += 2 + joints();
-    for (const Twist& link : fit.links) {
+    for (int axis = 0; axis < std::ssize(fit.arm.gears); ++axis, row += 3) {
+      const double round = model->joint_period(axis) > 0 ? priors.gear : kNone;  // a sliding axis has no eccentricity
+      residuals.segment<3>(row) =
+          fit.arm.gears[static_cast<std::size_t>(axis)].cwiseQuotient(Vector3d(priors.gear, round, round));
+    }
+    for (const Twist& link : fit.arm.links) {
       residuals.segment<3>(row) = link.head<3>() / priors.link_position;
       residuals.segment<3>(row + 3) = link.tail<3>() / priors.link_rotation;
       row += 6;
@@ -224,7 +236,7 @@ HandEyeFit closed_form_hand_eye(const RobotModel& model, const std::vector<Marke
   }
   HandEyeFit fit;
   fit.carried = carried;
-  fit.joints = JointVector::Zero(model.joint_count());
+  fit.arm.zeros = JointVector::Zero(model.joint_count());
   fit.camera = park_martin(a, b);
   Vector3d position = Vector3d::Zero();
   Matrix3d rotation = Matrix3d::Zero();

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "mrroc/measured_arm.hpp"
 #include "mrroc/robot_model.hpp"
 
 namespace mrroc::calibration {
@@ -26,6 +27,7 @@ struct HandEyePriors {
   double corner = 5e-5;    ///< rad: of a corner in the picture
   /// Of the links, m and rad: of each coordinate of MeasuredArm::links. Both 0: the links are those of the model.
   double link_position = 0, link_rotation = 0;
+  double gear = 0;  ///< rad: of each number of MeasuredArm::gears. 0: the gears are those of the model
 
   bool estimate_links() const noexcept { return link_position > 0 && link_rotation > 0; }
 };
@@ -40,8 +42,7 @@ struct HandEyeFit {
   Pose marker = Pose::Identity();  ///< Z: the marker in the base frame; in the flange frame if it is carried
   double focal = 0;                ///< e: the true focal length is (1 + e) times that of the readings
   double k1 = 0;                   ///< of the lens, beyond that of the readings
-  JointVector joints;              ///< d: joints are the encoders' readings plus d
-  std::vector<Twist> links;        ///< of each axis, as MeasuredArm::links; empty: not estimated
+  MeasuredArm arm;                 ///< d, its zeros; its gears and links are empty when they are not estimated
   double position_deviation = 0;   ///< standard deviation of X in its worst direction, m
   double rotation_deviation = 0;   ///< rad
   double focal_deviation = 0;
@@ -59,20 +60,19 @@ struct HandEyeFit {
 HandEyeFit closed_form_hand_eye(const RobotModel& model, const std::vector<MarkerView>& views,
                                 Carried carried = Carried::camera);
 
-/// The maximum a-posteriori estimate of X, Z, e, k1 and d. View k shows the corner c of the marker, (+-side, +-side, 0)
-/// / 2, in the direction u = h(B_k c), h(x, y, z) = (x, y) / z; the model expects it in
+/// The maximum a-posteriori estimate of X, Z, e, k1 and the arm's zeros d. View k shows the corner c of the marker,
+/// (+-side, +-side, 0) / 2, in the direction u = h(B_k c), h(x, y, z) = (x, y) / z; the model expects it in
 ///
-///   u = (1 + e) (1 + k1 |w|^2) w,   w = h((F(q_k + d) X)^-1 Z c)
+///   u = (1 + e) (1 + k1 |w|^2) w,   w = h((F(q_k + d) X)^-1 Z c),   q_k the encoders' readings
 ///
 /// Minimised are the squares of the differences, weighed by their covariance, and of e, k1 and d over their priors,
 /// from the closed form by Levenberg-Marquardt (Eigen's port of MINPACK). The covariance of the four corners of a view
 /// is that of the picture and of the flange's pose: corner^2 I + J diag(position^2, rotation^2) J^T, J their derivative
 /// by the marker's pose in the camera frame. So an arm that is not exact costs no accuracy of depth and tilt. An error
-/// of the focal length, left out, would appear as one of the depth. With `estimate_links` F is that of the measured
-/// chain
-/// (`kinematics::measured_chain`), whose links are estimated in the same manner; what no view shows stays 0. The
-/// covariance of the result is that of these weights, times the mean square of the weighed differences, at least
-/// kLeastVariance.
+/// of the focal length, left out, would appear as one of the depth. Gears (`kinematics::MeasuredJoints`) and, with
+/// `estimate_links`, the links of the chain (`kinematics::measured_chain`) are estimated in the same manner as d; what
+/// no view shows stays 0. The covariance of the result is that of these weights, times the mean square of the weighed
+/// differences, at least kLeastVariance.
 ///
 /// Throws as `closed_form_hand_eye`; NonFatalError(invalid_argument) when the iteration does not converge;
 /// SystemError(configuration): links of a model that is no chain of its joints.

@@ -10,6 +10,7 @@ namespace mrroc::calibration {
 namespace {
 
 constexpr double kOffCentre = 0.1;  // of the distance
+constexpr double kApproach = 0.01;  // rad or m: more than the play of any gear
 constexpr int kCandidates = 400;
 constexpr double kGoldenAngle = 2.399963;  // rad: directions that fill a disc evenly
 
@@ -29,6 +30,8 @@ Pose view(const Pose& first, const ViewCap& cap, int k) {
 }
 
 }  // namespace
+
+JointVector before_posture(const JointVector& posture) { return posture.array() - kApproach; }
 
 bool within_limits(const RobotModel& model, const JointVector& joints) {
   JointVector motors = joints;
@@ -53,6 +56,7 @@ std::vector<JointVector> view_postures(const RobotModel& model, const HandEyeFit
     JointVector joints = near;
     if (model.inverse(flange, near, joints) != ErrorCode::none) continue;
     if ((joints - near).cwiseAbs().maxCoeff() > cap.joint_reach || !within_limits(model, joints)) continue;
+    if (!within_limits(model, before_posture(joints))) continue;
     postures.push_back(joints);
   }
   return postures;
@@ -64,7 +68,7 @@ std::vector<JointVector> first_postures(const RobotModel& model, const JointVect
     for (const double side : {1.0, -1.0}) {
       JointVector joints = near;
       joints[i] += side * reach;
-      if (within_limits(model, joints)) postures.push_back(joints);
+      if (within_limits(model, joints) && within_limits(model, before_posture(joints))) postures.push_back(joints);
     }
   }
   return postures;

@@ -8,22 +8,27 @@ namespace mrroc::calibration {
 
 /// How far the views of a marker differ.
 struct ViewCap {
-  double tilt = 0.45;        ///< rad, at most
-  double turn = 0.5;         ///< rad, about the view
+  double tilt = 0.6;         ///< rad, at most
+  double turn = 1.5;         ///< rad, about the view
   double nearest = 1.0;      ///< of the first view's distance
   double farthest = 1.6;     ///< of the first view's distance
-  double joint_reach = 1.5;  ///< rad or m: how far a joint may be from the first posture
+  double joint_reach = 2.5;  ///< rad or m: how far a joint may be from the first posture
 };
 
 /// Postures from which the camera of `rough` sees its marker from many sides: the camera on `cap` around the marker's
 /// view from posture `near`, the marker within a tenth of the distance of the picture's middle. At most `count`, in a
-/// fixed order; those beyond the limits of joints or motors, or of the cap, are left out. Any thread; allocates.
+/// fixed order; those beyond the limits of joints or motors, or of the cap, are left out, and those whose
+/// `before_posture` is beyond them. Any thread; allocates.
 std::vector<JointVector> view_postures(const RobotModel& model, const HandEyeFit& rough, const JointVector& near,
                                        std::size_t count, const ViewCap& cap = {});
 
 /// Six postures around `near` for a first estimate: each of the last three joints moved by `reach` to both sides, where
 /// the limits allow it.
 std::vector<JointVector> first_postures(const RobotModel& model, const JointVector& near, double reach);
+
+/// Where a posture is approached from: each of its joints moves up to it, so that it always stands at the same end of
+/// its play.
+JointVector before_posture(const JointVector& posture);
 
 /// Whether joints and motors are `kMargin` within their limits.
 bool within_limits(const RobotModel& model, const JointVector& joints);

@@ -66,7 +66,8 @@ struct RobotEntry {
   /// Limits beyond which the robot stops, in the axes of that sensor: 3 forces (N), 3 torques (N m). The original's.
   Wrench force_limits = (Wrench() << 65, 65, 130, 5, 5, 5).finished();
   Load load;  ///< on the flange, in its frame
-  /// `joint_zeros`, `link_positions`, `link_rotations`: as measured. A simulated robot stays as its type describes it.
+  /// `joint_zeros`, `joint_gears`, `link_positions`, `link_rotations`: as measured. A simulated robot stays as its type
+  /// describes it.
   MeasuredArm measured_arm;
   std::string host;   ///< name of a [hosts] table; empty: the runner's machine
   std::string mount;  ///< robot that carries it; empty: fixed in the world

@@ -7,6 +7,7 @@
 
 #include "kinematics/decorated_model.hpp"
 #include "kinematics/measured_chain.hpp"
+#include "kinematics/measured_joints.hpp"
 #include "kinematics/newton.hpp"
 #include "mrroc/errors.hpp"
 
@@ -19,32 +20,35 @@ constexpr int kFarIterations = 80;       // from a posture of another pose
 constexpr int kRefinements = 20;         // from one of the type's own, which is near
 constexpr double kSingularValue = 1e-6;  // smallest singular value of the Jacobian, m/rad and rad/rad
 
-class ZeroedModel : public DecoratedModel {
+class EncodedModel : public DecoratedModel {
  public:
-  ZeroedModel(std::shared_ptr<const RobotModel> model, JointVector zeros)
-      : DecoratedModel(std::move(model)), zeros_(std::move(zeros)) {}
+  EncodedModel(std::shared_ptr<const RobotModel> model, MeasuredJoints measured)
+      : DecoratedModel(std::move(model)), measured_(std::move(measured)) {}
   ErrorCode motors_to_joints(const JointVector& motors, JointVector& joints) const noexcept override {
     const ErrorCode code = model().motors_to_joints(motors, joints);
-    if (code == ErrorCode::none) joints += zeros_;
+    if (code == ErrorCode::none) joints = measured_.joints(joints);
     return code;
   }
   ErrorCode joints_to_motors(const JointVector& joints, JointVector& motors) const noexcept override {
-    return model().joints_to_motors(joints - zeros_, motors);
+    return model().joints_to_motors(measured_.encoders(joints), motors);
   }
   JointMatrix transmission(const JointVector& joints) const noexcept override {
-    return model().transmission(joints - zeros_);
+    const JointVector encoders = measured_.encoders(joints);
+    return model().transmission(encoders) * measured_.slopes(encoders).cwiseInverse().asDiagonal();
   }
-  ClosedLoops closed_loops(const JointVector& joints) const override { return model().closed_loops(joints - zeros_); }
+  ClosedLoops closed_loops(const JointVector& joints) const override {
+    return model().closed_loops(measured_.encoders(joints));
+  }
 
  private:
-  JointVector zeros_;
+  MeasuredJoints measured_;
 };
 
 /// The geometry of a measured chain.
-class ChainedModel final : public ZeroedModel {
+class ChainedModel final : public EncodedModel {
  public:
-  ChainedModel(std::shared_ptr<const RobotModel> model, JointVector zeros, const SerialChain& chain)
-      : ZeroedModel(std::move(model), std::move(zeros)), chain_(chain) {}
+  ChainedModel(std::shared_ptr<const RobotModel> model, MeasuredJoints measured, const SerialChain& chain)
+      : EncodedModel(std::move(model), std::move(measured)), chain_(chain) {}
 
   Pose flange(const JointVector& joints) const noexcept override { return chain_.flange(joints); }
   Jacobian jacobian(const JointVector& joints, const Eigen::Vector3d& offset) const noexcept override {
@@ -102,10 +106,7 @@ class ChainedModel final : public ZeroedModel {
 RobotModels with_measured(RobotModels models, const MeasuredArm& measured) {
   if (models.empty() || !measured) return models;
   const int count = models.front()->joint_count();
-  const JointVector zeros = measured.zeros.size() != 0 ? measured.zeros : JointVector(JointVector::Zero(count));
-  if (zeros.size() != count)
-    throw SystemError(ErrorCode::configuration,
-                      std::to_string(zeros.size()) + " measured zeros, expected " + std::to_string(count));
+  const MeasuredJoints joints(measured, count);
   if (!measured.links.empty() && count != 6)
     throw SystemError(ErrorCode::configuration, "measured links of a robot with " + std::to_string(count) +
                                                     " joints, expected a robot with 6, or no links");
@@ -114,9 +115,9 @@ RobotModels with_measured(RobotModels models, const MeasuredArm& measured) {
   bool first = true;
   for (auto& model : models) {
     if (first && chain)
-      model = std::make_shared<ChainedModel>(model, zeros, *chain);
+      model = std::make_shared<ChainedModel>(model, joints, *chain);
     else
-      model = std::make_shared<ZeroedModel>(model, zeros);
+      model = std::make_shared<EncodedModel>(model, joints);
     first = false;
   }
   return models;

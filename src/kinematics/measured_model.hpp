@@ -5,14 +5,15 @@
 
 namespace mrroc::kinematics {
 
-/// The same robots as measured. Joints are those of the encoders plus the zeros d, in every model:
+/// The same robots as measured. Joints q are those of the encoders with their zeros and gears (`MeasuredJoints`), in
+/// every model:
 ///
-///   motors(q) = m(q - d)
+///   motors(q) = m(e(q))
 ///
 /// The poses of the first model are those of the measured chain (`measured_chain`); its inverse starts at the postures
 /// of the type's own and improves them on that chain. Other models keep the type's poses. Throws
-/// SystemError(configuration): numbers of zeros or links that are not those of the axes, or links of a robot whose
-/// first model is not a chain of six joints. Configuration time only.
+/// SystemError(configuration): numbers of zeros, gears or links that are not those of the axes, or links of a robot
+/// whose first model is not a chain of six joints. Configuration time only.
 RobotModels with_measured(RobotModels models, const MeasuredArm& measured);
 
 }  // namespace mrroc::kinematics

@@ -10,6 +10,7 @@
 #include "calibration/seeded.hpp"
 #include "calibration/view_postures.hpp"
 #include "kinematics/measured_chain.hpp"
+#include "kinematics/measured_joints.hpp"
 #include "mrroc/errors.hpp"
 #include "robots/irb6/irb6_model.hpp"
 
@@ -31,6 +32,7 @@ struct Noise {
   double corner = 0;                    // rad
   double focal = 0, k1 = 0, joint = 0;  // sizes of the errors
   double link = 0;                      // m and rad
+  double gear = 0;                      // rad
 };
 
 constexpr double kSide = 0.09;  // m
@@ -72,7 +74,7 @@ Pose flange_of(const JointVector& joints, const std::vector<Twist>& links) {
 
 /// The marker in the camera frame.
 Pose seen_from(const JointVector& joints, const HandEyeFit& truth) {
-  const Pose flange = flange_of(joints, truth.links);
+  const Pose flange = flange_of(joints, truth.arm.links);
   const Pose carrier = truth.carried == Carried::camera ? flange : flange.inverse();
   return (carrier * truth.camera).inverse() * truth.marker;
 }
@@ -96,14 +98,16 @@ Scene scene(std::uint32_t seed, const Noise& noise, Carried carried = Carried::c
   }
   truth.focal = random.within(noise.focal);
   truth.k1 = random.within(noise.k1);
-  truth.joints = JointVector::Zero(home.size());
-  for (double& joint : truth.joints) joint = random.within(noise.joint);
+  truth.arm.zeros = JointVector::Zero(home.size());
+  for (double& joint : truth.arm.zeros) joint = random.within(noise.joint);
   if (noise.link > 0)
     for (Eigen::Index i = 0; i < home.size(); ++i)
-      truth.links.emplace_back() << random.vector(noise.link), random.vector(noise.link);
+      truth.arm.links.emplace_back() << random.vector(noise.link), random.vector(noise.link);
+  if (noise.gear > 0)
+    for (Eigen::Index i = 0; i < home.size(); ++i) truth.arm.gears.emplace_back(random.vector(noise.gear));
   for (const JointVector& joints : view_postures(irb6(), truth, home, views, cap)) {
     MarkerView view;
-    view.joints = joints - truth.joints;  // the encoders' readings
+    view.joints = kinematics::MeasuredJoints(truth.arm, 6).encoders(joints);
     view.side = kSide;
     const Pose marker = seen_from(joints, truth);
     Eigen::Matrix<double, 2, 4> corners = corners_of(marker);
@@ -165,7 +169,8 @@ double error_of_places(const std::vector<MarkerView>& views, const HandEyeFit& f
   double worst = 0;
   for (const MarkerView& view : views) {
     const auto place = [&view](const HandEyeFit& arm) {
-      return Pose(arm.marker.inverse() * flange_of(view.joints + arm.joints, arm.links) * arm.camera);
+      const JointVector joints = kinematics::MeasuredJoints(arm.arm, 6).joints(view.joints);
+      return Pose(arm.marker.inverse() * flange_of(joints, arm.arm.links) * arm.camera);
     };
     worst = std::max(worst, distance(place(fit), place(truth)));
   }
@@ -184,9 +189,24 @@ RC_GTEST_PROP(HandEye, FindsZerosAndLinksOfAnArm, (std::uint32_t seed)) {
   const double before = error_of_places(others, fit_hand_eye(irb6(), seen, nominal), made.truth);
   const double after = error_of_places(others, fit, made.truth);
   RC_LOG() << made.views.size() << " views, " << 1000 * before << " mm before, " << 1000 * after << " mm after\n";
-  RC_ASSERT(fit.links.size() == 6U);
+  RC_ASSERT(fit.arm.links.size() == 6U);
   RC_ASSERT(after < 0.0007);
   RC_ASSERT(after < 0.35 * before);
+}
+
+RC_GTEST_PROP(HandEye, FindsTheGearsOfAnArm, (std::uint32_t seed)) {
+  const Scene made = scene(seed, {.corner = 2e-5, .joint = 0.001, .gear = 0.002}, Carried::camera, 100);
+  std::vector<MarkerView> seen, others;
+  for (std::size_t k = 0; k < made.views.size(); ++k) (k % 2 == 0 ? seen : others).push_back(made.views[k]);
+  HandEyePriors zeros{.joint = 0.001, .position = 1e-5, .rotation = 2e-5}, gears = zeros;
+  gears.gear = 0.002;
+  const HandEyeFit fit = fit_hand_eye(irb6(), seen, gears);
+  const double before = error_of_places(others, fit_hand_eye(irb6(), seen, zeros), made.truth);
+  const double after = error_of_places(others, fit, made.truth);
+  RC_LOG() << made.views.size() << " views, " << 1000 * before << " mm before, " << 1000 * after << " mm after\n";
+  RC_ASSERT(fit.arm.gears.size() == 6U);
+  RC_ASSERT(after < 0.0003);
+  RC_ASSERT(after < 0.5 * before);
 }
 
 RC_GTEST_PROP(HandEye, ViewsThatContradictTheOthersAreLeftOut, (std::uint32_t seed, bool marker)) {

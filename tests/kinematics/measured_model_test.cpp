@@ -16,6 +16,7 @@
 #include "kinematics/chain_model.hpp"
 #include "kinematics/chains.hpp"
 #include "kinematics/measured_chain.hpp"
+#include "kinematics/measured_joints.hpp"
 #include "kinematics/newton.hpp"
 #include "mrroc/errors.hpp"
 
@@ -43,9 +44,12 @@ class Numbers {
     return joints;
   }
   MeasuredArm measured(int count, double size) {
-    MeasuredArm measured{joints(count, size), std::vector<Twist>(static_cast<std::size_t>(count))};
+    const auto axes = static_cast<std::size_t>(count);
+    MeasuredArm measured{joints(count, size), std::vector<Twist>(axes), std::vector<Eigen::Vector3d>(axes)};
     for (Twist& link : measured.links)
       for (double& number : link) number = within(size);
+    for (Eigen::Vector3d& gear : measured.gears)
+      for (double& number : gear) number = within(size);
     return measured;
   }
 
@@ -59,7 +63,7 @@ std::vector<SerialChain> arms() { return {test::ur5e(), test::puma560(), test::i
 RC_GTEST_PROP(MeasuredModel, JointsAreThoseOfTheEncodersPlusTheZeros, ()) {
   Numbers numbers(*rc::gen::arbitrary<unsigned>());
   const RobotModels nominal{arm(test::ur5e())};
-  const MeasuredArm measured{numbers.joints(6, 0.1), {}};
+  const MeasuredArm measured{numbers.joints(6, 0.1)};
   const RobotModels models = with_measured(nominal, measured);
   const JointVector joints = numbers.joints(6, 3);
   JointVector motors, read, back;
@@ -69,6 +73,24 @@ RC_GTEST_PROP(MeasuredModel, JointsAreThoseOfTheEncodersPlusTheZeros, ()) {
   RC_ASSERT(models.front()->joints_to_motors(read, back) == ErrorCode::none);
   RC_ASSERT((back - motors).norm() < 1e-9);
   RC_ASSERT(models.front()->flange(joints).isApprox(nominal.front()->flange(joints), 0));
+}
+
+RC_GTEST_PROP(MeasuredModel, TransmissionIsTheDerivativeOfTheMotors, ()) {
+  Numbers numbers(*rc::gen::arbitrary<unsigned>());
+  const RobotModels models = with_measured({arm(test::ur5e())}, numbers.measured(6, 0.03));
+  const RobotModel& model = *models.front();
+  const JointVector joints = numbers.joints(6, 2);
+  JointVector motors, back;
+  RC_ASSERT(model.joints_to_motors(joints, motors) == ErrorCode::none);
+  RC_ASSERT(model.motors_to_joints(motors, back) == ErrorCode::none);
+  RC_ASSERT((back - joints).norm() < 1e-12);
+  for (int i = 0; i < 6; ++i) {
+    const JointVector step = 1e-6 * JointVector::Unit(6, i);
+    JointVector above, below;
+    RC_ASSERT(model.joints_to_motors(joints + step, above) == ErrorCode::none);
+    RC_ASSERT(model.joints_to_motors(joints - step, below) == ErrorCode::none);
+    RC_ASSERT(((above - below) / 2e-6 - model.transmission(joints).col(i)).norm() < 1e-6);
+  }
 }
 
 RC_GTEST_PROP(MeasuredModel, InverseReturnsToThePosture, ()) {
@@ -209,7 +231,7 @@ TEST(MeasuredModel, OtherModelsKeepTheTypesPoses) {
     JointVector motors, read;
     EXPECT_EQ(other->joints_to_motors(joints, motors), ErrorCode::none);
     EXPECT_EQ(model->motors_to_joints(motors, read), ErrorCode::none);
-    EXPECT_LT((read - joints - measured.zeros).norm(), 1e-12);
+    EXPECT_LT((read - MeasuredJoints(measured, 6).joints(joints)).norm(), 1e-12);
   }
 }
 

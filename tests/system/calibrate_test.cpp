@@ -107,7 +107,7 @@ TEST(CalibrateHandEye, FindsTheCameraOnAnExactArm) {
                                    "distortion = 0.01\npixel_noise = 2\nblur = 0.5\n");
   for (const std::string seed : {"1", "2", "3"}) {
     const EyeError error = calibrated_eye(folder, errors.string(), seed);
-    EXPECT_LT(error.position, 0.0003);
+    EXPECT_LT(error.position, 0.00015);
     EXPECT_LT(error.reading, 0.1 * error.reading_before);
     EXPECT_LT(error.rotation, 0.1 * std::numbers::pi / 180);
   }
@@ -117,7 +117,7 @@ TEST(CalibrateHandEye, FindsTheCameraOnAnArmWithErrors) {
   for (const std::string seed : {"1", "2", "3"}) {
     const ScratchFolder folder;
     const EyeError error = calibrated_eye(folder, "modest", seed);
-    EXPECT_LT(error.position, 0.0006);
+    EXPECT_LT(error.position, 0.0004);
     EXPECT_LT(error.reading, 0.3 * error.reading_before);
     EXPECT_LT(error.rotation, 0.1 * std::numbers::pi / 180);
   }

@@ -11,6 +11,7 @@
 #include "calibration/view_postures.hpp"
 #include "config/deployment.hpp"
 #include "geometry/rigid_motion.hpp"
+#include "kinematics/measured_joints.hpp"
 #include "robots/irb6/irb6_model.hpp"
 #include "sim/errors/true_errors.hpp"
 #include "sim/scene/model.hpp"
@@ -48,6 +49,7 @@ class TrueArm {
     return pose;
   }
 
+  /// In the middle of the joints' play.
   JointVector encoders(JointVector joints) const {
     for (std::size_t i = 0; i < joints_.size(); ++i) {
       double& joint = joints[static_cast<Eigen::Index>(i)];
@@ -57,10 +59,10 @@ class TrueArm {
   }
 
   /// What the robot would see of a marker without any error of the pictures, from other postures than those of a
-  /// calibration: by `camera` on the true flange, with the joints that an arm with the zeros of `measured` reports.
+  /// calibration: by `camera` on the true flange, with the joints of an arm that is known as `measured`.
   std::vector<calibration::MarkerView> exact_views(const Pose& camera, const MeasuredArm& measured = {}) {
     const RobotModel& type = *type_;
-    const JointVector zeros = measured.zeros.size() != 0 ? measured.zeros : JointVector(JointVector::Zero(6));
+    const kinematics::MeasuredJoints found(measured, 6);
     calibration::HandEyeFit looking;
     looking.camera = kNominalEye;
     looking.marker = type.flange(type.parameters().home) * kNominalEye * Pose(Eigen::Translation3d(0, 0, 0.4)) *
@@ -71,7 +73,7 @@ class TrueArm {
     std::vector<calibration::MarkerView> views;
     for (const JointVector& joints : postures) {
       calibration::MarkerView& view = views.emplace_back();
-      view.joints = encoders(joints) + zeros;
+      view.joints = found.joints(encoders(joints));
       view.marker = (flange(joints) * camera).inverse() * looking.marker;
       view.side = 0.09;
     }

@@ -1,5 +1,8 @@
 #include "config/entries/robot_entry.hpp"
 
+#include <algorithm>
+#include <array>
+
 #include "config/axis_file.hpp"
 #include "config/entries/can_entry.hpp"
 #include "config/entries/driver_entry.hpp"
@@ -58,14 +61,17 @@ std::optional<Pose> read_measured_base(const Table& table, const RobotEntry& rob
   return pose_from_rpy(Eigen::Vector3d(position->data()), Eigen::Vector3d(rotation->data()));
 }
 
-/// `joint_zeros`, `link_positions`, `link_rotations`: three numbers of a link for each axis.
+/// `joint_zeros`; three numbers for each axis: `joint_gears`, `link_positions`, `link_rotations`.
 MeasuredArm read_measured_arm(const Table& table, const RobotEntry& robot) {
-  constexpr Range kZero{-0.2, 0.2}, kPosition{-0.05, 0.05}, kRotation{-0.1, 0.1};
+  constexpr Range kZero{-0.2, 0.2}, kGear{-0.05, 0.05}, kPosition{-0.05, 0.05}, kRotation{-0.1, 0.1};
+  constexpr std::array kKeys{"joint_zeros", "joint_gears", "link_positions", "link_rotations"};
   MeasuredArm measured;
-  if (!table.has("joint_zeros") && !table.has("link_positions") && !table.has("link_rotations")) return measured;
+  if (std::none_of(kKeys.begin(), kKeys.end(), [&](const char* key) { return table.has(key); })) return measured;
   const std::size_t axes = read_robot_parameters(Table::load(robot.files().parameters)).axes.size();
   if (const auto zeros = table.optional_numbers("joint_zeros", axes, kZero))
     measured.zeros = Eigen::Map<const Eigen::VectorXd>(zeros->data(), std::ssize(*zeros));
+  if (const auto gears = table.optional_numbers("joint_gears", 3 * axes, kGear))
+    for (std::size_t i = 0; i < axes; ++i) measured.gears.emplace_back(gears->data() + 3 * i);
   const auto positions = table.optional_numbers("link_positions", 3 * axes, kPosition);
   const auto rotations = table.optional_numbers("link_rotations", 3 * axes, kRotation);
   if (rotations && !positions) table.fail("link_rotations", "alone", "link_positions beside it");
@@ -120,9 +126,10 @@ void check_period(const Table& table, const Table& parameters, const Deployment&
 
 RobotEntry read_robot(const Table& table, const std::string& name, const Deployment& deployment) {
   allow_driver_tables(table, "robot", robot_drivers());
-  table.only({"type", "parameters", "program", "hardware", "host", "mount", "position", "rotation", "base_position",
-              "base_rotation", "synchronised", "emergency_stop", "force_sensor", "force_limit", "torque_limit", "load",
-              "joint_zeros", "link_positions", "link_rotations"});
+  table.only({"type",         "parameters",     "program",      "hardware",       "host",
+              "mount",        "position",       "rotation",     "base_position",  "base_rotation",
+              "synchronised", "emergency_stop", "force_sensor", "force_limit",    "torque_limit",
+              "load",         "joint_zeros",    "joint_gears",  "link_positions", "link_rotations"});
   RobotEntry robot;
   robot.name = name;
   robot.type = table.choice("type", robot_types());
