@@ -13,6 +13,7 @@
 #include <random>
 #include <vector>
 
+#include "allocations.hpp"
 #include "kinematics/chain_model.hpp"
 #include "kinematics/chains.hpp"
 #include "kinematics/measured_chain.hpp"
@@ -217,6 +218,26 @@ TEST(MeasuredModel, RefusesWhatIsNotOfTheRobot) {
   EXPECT_TRUE(refused(test::ur5e(), {{}, std::vector<Twist>(5, Twist::Zero())}));
   EXPECT_TRUE(refused(test::panda(), numbers.measured(7, 0.001)));
   EXPECT_FALSE(refused(test::panda(), {JointVector::Constant(7, 0.01), {}}));
+}
+
+/// The servo thread and the steps of a Move call these.
+TEST(MeasuredModel, NothingIsAllocated) {
+  Numbers numbers(1);
+  for (const SerialChain& chain : arms()) {
+    const RobotModels models = with_measured({arm(chain)}, numbers.measured(6, 0.001));
+    const RobotModel& model = *models.front();
+    JointVector joints = numbers.joints(6, 1);
+    const Pose pose = model.flange(joints);
+    JointVector motors = joints;
+    {
+      const mrroc::test::Counting counting;
+      model.inverse(pose, joints, joints);
+      model.joints_to_motors(joints, motors);
+      model.motors_to_joints(motors, joints);
+      joints += model.transmission(joints) * joints;
+    }
+    EXPECT_EQ(mrroc::test::Counting::counted(), 0U);
+  }
 }
 
 TEST(MeasuredModel, OtherModelsKeepTheTypesPoses) {
