@@ -29,17 +29,30 @@ struct Row {
   Worst worst;
 };
 
+/// What a run has done wrong: the first of these; null: nothing.
+class Verdict {
+ public:
+  void expect(bool holds, const char* wrong) noexcept {
+    if (!holds && wrong_ == nullptr) wrong_ = wrong;
+  }
+  const char* wrong() const noexcept { return wrong_; }
+
+ private:
+  const char* wrong_ = nullptr;
+};
+
 void run(const Trouble& trouble, unsigned seed, Row& row) {
   std::mt19937 random(seed);
   Cell cell(trouble.make());
-  bool good = cell.recover();
+  Verdict verdict;
+  verdict.expect(cell.recover(), "the drives are not on before the trouble");
   cell.worst = {};
   cell.start_move(seed % 2 == 0 ? kWay : -kWay);
   cell.ticks(60 + static_cast<int>(random() % 280));
   const Tick begun = cell.now();
   trouble.begin(cell.device());
   cell.ticks(20 + static_cast<int>(random() % 130));
-  good = cell.settle() && good;
+  verdict.expect(cell.settle(), "the motion does not end");
   const ErrorCode error = cell.fault() != ErrorCode::none ? cell.fault() : cell.answer();
   if (error == ErrorCode::none) {
     ++row.continued;
@@ -49,13 +62,20 @@ void run(const Trouble& trouble, unsigned seed, Row& row) {
   }
   trouble.end(cell.device());
   cell.ticks(100);
-  if (cell.fault() != ErrorCode::none) good = cell.recover() && good;
+  if (cell.fault() != ErrorCode::none) verdict.expect(cell.recover(), "it cannot be recovered after the trouble");
   cell.start_move(0.2 * kWay);
-  good = cell.settle() && cell.answer() == ErrorCode::none && good;
-  good = good && cell.worst.speed <= kSpeedMost && cell.worst.set_speed <= kSetMost &&
-         cell.worst.set_acceleration <= kAccelerationMost;
+  verdict.expect(cell.settle(), "the motion after the trouble does not end");
+  verdict.expect(cell.answer() == ErrorCode::none, "the motion after the trouble ends with an error");
+  verdict.expect(cell.worst.speed <= kSpeedMost, "the arm is too fast");
+  verdict.expect(cell.worst.set_speed <= kSetMost, "set-points are too fast");
+  verdict.expect(cell.worst.set_acceleration <= kAccelerationMost, "set-points accelerate too much");
   ++row.runs;
-  if (!good) ++row.bad;
+  if (verdict.wrong() != nullptr) {
+    ++row.bad;
+    const auto text = [](ErrorCode code) { return std::string(describe(code)); };
+    std::fprintf(stderr, "%s, seed %u: %s (fault: %s; answer: %s)\n", trouble.name.c_str(), seed, verdict.wrong(),
+                 text(cell.fault()).c_str(), text(cell.answer()).c_str());
+  }
   row.worst.speed = std::max(row.worst.speed, cell.worst.speed);
   row.worst.set_speed = std::max(row.worst.set_speed, cell.worst.set_speed);
   row.worst.set_acceleration = std::max(row.worst.set_acceleration, cell.worst.set_acceleration);
