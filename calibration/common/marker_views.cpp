@@ -47,8 +47,7 @@ MarkerViews::MarkerViews(ecp::Task& task, Robot& arm, Carried carried) : task_(t
     cameras_.try_emplace(entry->name, task, entry->name);
 }
 
-/// The views of those postures from which the marker is seen. Each joint comes from the same side, so that its play is
-/// the same in all of them, and counts as a part of its zero.
+/// The views of those postures from which the marker is seen. Each joint comes from the same side, against play.
 std::vector<MarkerView> MarkerViews::seen_from(const std::vector<JointVector>& postures, Camera& eye, double speed) {
   std::vector<MarkerView> views;
   for (const JointVector& posture : postures) {

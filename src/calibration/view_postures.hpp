@@ -26,8 +26,7 @@ std::vector<JointVector> view_postures(const RobotModel& model, const HandEyeFit
 /// the limits allow it.
 std::vector<JointVector> first_postures(const RobotModel& model, const JointVector& near, double reach);
 
-/// Where a posture is approached from: each of its joints moves up to it, so that it always stands at the same end of
-/// its play.
+/// Where a posture is approached from: each of its joints moves up to it, against play.
 JointVector before_posture(const JointVector& posture);
 
 /// Whether joints and motors are `kMargin` within their limits.

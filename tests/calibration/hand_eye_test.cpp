@@ -177,11 +177,16 @@ double error_of_places(const std::vector<MarkerView>& views, const HandEyeFit& f
   return worst;
 }
 
+std::vector<MarkerView> every_second(const std::vector<MarkerView>& views, std::size_t first) {
+  std::vector<MarkerView> chosen;
+  for (std::size_t k = first; k < views.size(); k += 2) chosen.push_back(views[k]);
+  return chosen;
+}
+
 RC_GTEST_PROP(HandEye, FindsZerosAndLinksOfAnArm, (std::uint32_t seed)) {
   const ViewCap wide{.tilt = 0.6, .turn = 1.5, .nearest = 0.9, .farthest = 1.7, .joint_reach = 2.5};
   const Scene made = scene(seed, {.corner = 5e-5, .joint = 0.004, .link = 0.001}, Carried::camera, 100, wide);
-  std::vector<MarkerView> seen, others;
-  for (std::size_t k = 0; k < made.views.size(); ++k) (k % 2 == 0 ? seen : others).push_back(made.views[k]);
+  const std::vector<MarkerView> seen = every_second(made.views, 0), others = every_second(made.views, 1);
   HandEyePriors measured{.joint = 0.004, .position = 2e-5, .rotation = 4e-5}, nominal = measured;
   measured.link_position = measured.link_rotation = 0.001;
   nominal.joint = 1e-9;
@@ -196,8 +201,7 @@ RC_GTEST_PROP(HandEye, FindsZerosAndLinksOfAnArm, (std::uint32_t seed)) {
 
 RC_GTEST_PROP(HandEye, FindsTheGearsOfAnArm, (std::uint32_t seed)) {
   const Scene made = scene(seed, {.corner = 2e-5, .joint = 0.001, .gear = 0.002}, Carried::camera, 100);
-  std::vector<MarkerView> seen, others;
-  for (std::size_t k = 0; k < made.views.size(); ++k) (k % 2 == 0 ? seen : others).push_back(made.views[k]);
+  const std::vector<MarkerView> seen = every_second(made.views, 0), others = every_second(made.views, 1);
   HandEyePriors zeros{.joint = 0.001, .position = 1e-5, .rotation = 2e-5}, gears = zeros;
   gears.gear = 0.002;
   const HandEyeFit fit = fit_hand_eye(irb6(), seen, gears);

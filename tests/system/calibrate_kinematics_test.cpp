@@ -107,7 +107,7 @@ TEST(CalibrateKinematics, ThenTheCameraOnTheArmIsFound) {
 }
 
 /// What is measured in a deployment that is already calibrated is the whole arm, not the rest.
-TEST(CalibrateKinematics, OnceMoreItFindsTheSame) {
+TEST(CalibrateKinematics, OnceMoreItFindsAnArmThatIsAsGood) {
   const ScratchFolder folder;
   const std::vector<std::string> few{"--views", "24"};
   const MeasuredArm first = calibrated_arm(folder, kInspect, "modest", few);
