@@ -39,6 +39,7 @@ export class Store {
 
   /** The result says whether a new `status` is due: the event has changed what only a status shows. */
   apply(event: PanelEvent): boolean {
+    if (this.ended && (event.event === 'command' || event.event === 'question')) return false;
     const jogged = event.event === 'command' && event.command === 'jog';
     if (['question', 'command', 'commander'].includes(event.event) && !jogged) ++this.changes;
     switch (event.event) {
@@ -91,7 +92,9 @@ export class Store {
     }
   }
 
+  /** A status may be read after the end that came after it: replies have another way to the page than events. */
   apply_status(status: RunStatus): void {
+    if (this.ended) return;
     this.deployment = status.deployment;
     this.clock = status.clock;
     this.servo_period = status.servo_period;

@@ -16,6 +16,16 @@ const SITUATION: Situation = {
   emergency_stop: false,
 };
 
+const QUESTION = {
+  from: 'mp',
+  number: 1,
+  text: '?',
+  kind: 'number' as const,
+  expected: '0 to 5',
+  minimum: 0,
+  maximum: 5,
+};
+
 test('StopsAreEverybodysAndOtherVerbsTheHolders', () => {
   const watched = { ...SITUATION, commander: 'panel 2' };
   assert.equal(refusal_of('estop', watched), '');
@@ -77,6 +87,26 @@ test('TheEndOfTheRunDisablesEverything', () => {
   assert.match(store.end_text, /exit code 3: the drive has failed/);
 });
 
+test('WhatIsReadAfterTheEndOfTheRunChangesNothing', () => {
+  const store = new Store();
+  store.apply({ event: 'end', exit_code: 5, reason: '' });
+  store.apply_status({
+    deployment: 'press',
+    clock: 'paced',
+    servo_period: 0.002,
+    tick: 7,
+    task: 'stopping',
+    emergency_stop: false,
+    commander: null,
+    processes: [],
+    questions: [QUESTION],
+  });
+  store.apply({ event: 'command', command: 'pause', tick: 8, by: 'panel 1', task: 'paused' });
+  store.apply({ event: 'question', ...QUESTION });
+  assert.equal(store.task, 'ended');
+  assert.deepEqual(store.questions, []);
+});
+
 test('MessagesAreFilteredByEveryWordAndBounded', () => {
   const buffer = new MessageBuffer(100);
   for (let i = 0; i < 1000; ++i) buffer.add(i, 'message', `line ${i} of ${i % 2 === 0 ? 'arm' : 'belt'}`);
@@ -95,20 +125,11 @@ test('TheFileOfABlackBoxIsFound', () => {
 });
 
 test('TypedNumbersAreCheckedAgainstTheRange', () => {
-  const question = {
-    from: 'mp',
-    number: 1,
-    text: '?',
-    kind: 'number' as const,
-    expected: '0 to 5',
-    minimum: 0,
-    maximum: 5,
-  };
-  assert.deepEqual(check_number(question, ' 2.5 '), { value: 2.5 });
-  assert.deepEqual(check_number(question, '2,5'), { value: 2.5 });
-  assert.ok('problem' in check_number(question, '7'));
-  assert.ok('problem' in check_number(question, '-1'));
-  assert.ok('problem' in check_number(question, 'two'));
-  assert.ok('problem' in check_number(question, ''));
-  assert.deepEqual(check_number({ ...question, minimum: null, maximum: null }, '1e6'), { value: 1e6 });
+  assert.deepEqual(check_number(QUESTION, ' 2.5 '), { value: 2.5 });
+  assert.deepEqual(check_number(QUESTION, '2,5'), { value: 2.5 });
+  assert.ok('problem' in check_number(QUESTION, '7'));
+  assert.ok('problem' in check_number(QUESTION, '-1'));
+  assert.ok('problem' in check_number(QUESTION, 'two'));
+  assert.ok('problem' in check_number(QUESTION, ''));
+  assert.deepEqual(check_number({ ...QUESTION, minimum: null, maximum: null }, '1e6'), { value: 1e6 });
 });
