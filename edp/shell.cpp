@@ -6,6 +6,7 @@
 #include <deque>
 #include <optional>
 
+#include "clock/leave.hpp"
 #include "config/robot_place.hpp"
 #include "edp/check/robot_check.hpp"
 #include "edp/command/effector.hpp"
@@ -80,6 +81,10 @@ class Shell {
     } else {
       serve_real();
     }
+    // they send their last frames while simulated peers take part; the links' end takes seconds on a busy machine
+    hardware_.reset();
+    force_sensor_.reset();
+    clock::leave(process_.clock());
     throw Stopped{};
   }
 
@@ -233,8 +238,8 @@ class Shell {
   RobotModels models_;  ///< as measured
   ModelSet model_set_;
   std::optional<world::MappedWorld> world_;
-  std::unique_ptr<Hardware> hardware_;
-  std::unique_ptr<ForceSensor> force_sensor_;  ///< null: no force sensor
+  std::unique_ptr<Hardware> hardware_;         ///< null at the end
+  std::unique_ptr<ForceSensor> force_sensor_;  ///< null: no force sensor, or the end
   ServoChannel channel_;
   std::optional<ServoTap> tap_;  ///< the run is recorded at the rate of servo ticks
   Servo servo_;

@@ -15,7 +15,7 @@ struct ShutdownListener {
   std::function<void(const std::string& line)> message;   ///< a process had to be killed
   std::function<void(const std::string& reason)> failed;  ///< a robot may not have stopped as it should
   double stop_timeout = 5;  ///< s for robots to stop; under a simulated clock of both times
-  double end_timeout = 3;   ///< s for processes to end, once the robots have stopped
+  double end_timeout = 5;   ///< s for processes to end, once the robots have stopped
   std::function<bool()> hurried = [] { return false; };  ///< true: wait for nothing once the robots have stopped
 };
 

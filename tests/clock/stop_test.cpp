@@ -1,5 +1,6 @@
 #include <atomic>
 
+#include "clock/leave.hpp"
 #include "clock/thread_deployment.hpp"
 
 namespace mrroc::clock::stop_test {
@@ -85,6 +86,45 @@ TEST(ClockStop, TaskThatNeverWaitsAgainBlocksNoOther) {
   while (deployment.host.tick() < 20) std::this_thread::yield();
   end.store(true);
   deployment.join();
+}
+
+void expect_that_time_passes_without_drives(Mode mode) {
+  HostOptions options;
+  options.mode = mode;
+  ThreadDeployment deployment({"drives", "world"}, options);
+  std::atomic<bool> left{false};
+  std::atomic<Tick> now{0};
+  deployment.add(
+      "drives",
+      [&](Clock& clock) {
+        while (!clock.stopping()) clock.wait(clock.tick() + 1);
+        leave(clock);
+        const Tick begin = now.load();
+        left.store(true);
+        while (now.load() < begin + 20) std::this_thread::yield();  // it ends, which takes as long as it takes
+        EXPECT_EQ(clock.wait(clock.tick() + 1), Wake::interrupted);
+      },
+      Part::drives);
+  deployment.add(
+      "world",
+      [&](Clock& clock) {
+        while (!left.load()) clock.wait(clock.tick() + 1);
+        EXPECT_TRUE(deployment.host.has_left("drives"));
+        for (int i = 0; i < 40; ++i) {
+          EXPECT_EQ(clock.wait(clock.tick() + 1), Wake::tick);
+          now.store(clock.tick());
+        }
+      },
+      Part::world);
+  deployment.start();
+  while (deployment.host.tick() < 5) std::this_thread::yield();
+  deployment.host.stop();
+  deployment.join();
+}
+
+TEST(ClockStop, TimeDoesNotWaitForOneThatHasLeft) {
+  expect_that_time_passes_without_drives(Mode::lockstep);
+  expect_that_time_passes_without_drives(Mode::real);
 }
 
 TEST(ClockStop, InRealTimeDrivesAreWokenAndTasksInterrupted) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "clock/host.hpp"
+#include "clock/leave.hpp"
 #include "clock/participant.hpp"
 
 namespace mrroc::clock {
@@ -42,8 +43,7 @@ class ThreadDeployment {
       threads_.emplace_back([&member] {
         if (member.clock->start()) member.body(*member.clock);
         // leaves as in the destructor, but another thread may still hold the clock
-        member.clock->interrupt();
-        EXPECT_EQ(member.clock->wait(kNever), Wake::interrupted);
+        leave(*member.clock);
       });
     EXPECT_TRUE(host.wait_ready(60).empty());
     host_thread_ = std::thread([this] { host.run(); });
