@@ -93,6 +93,11 @@ void rest_before_resume(const Step& step, Findings& findings) {
                    words("rest before the motion continues after a ", late ? "late command" : "pause"));
 }
 
+/// The ECP has left the Move of its MP in between: it may have left the command unexecuted.
+bool has_left(const RobotEntry& from, const RobotEntry& to) {
+  return from.coordination == Coordination::takes_part && to.coordination != Coordination::takes_part;
+}
+
 /// Every hold takes at least a tick, after the macrostep of the command before it.
 void held_steps(const Step& step, Findings& findings) {
   const Line& line = step.line;
@@ -101,13 +106,13 @@ void held_steps(const Step& step, Findings& findings) {
   if (step.before == nullptr || line.broken_off() || line.robots.size() != step.before->robots.size()) return;
   for (std::size_t i = 0; i < line.robots.size(); ++i) {
     const RobotEntry& from = step.before->robots[i];
-    if (!from.command || line.robots[i].error != ErrorClass::none) continue;
-    const Tick earliest =
-        std::max(from.command->start_tick, from.desired_tick) + from.command->motion_steps + line.held - 1;
-    if (line.robots[i].macrostep < earliest)
-      findings.add(
-          words("macrostep=", line.robots[i].macrostep, " of robot ", from.name, " after ", line.held, " holds"),
-          words("at least ", earliest));
+    const RobotEntry& to = line.robots[i];
+    if (!from.command || to.error != ErrorClass::none) continue;
+    const Tick end = std::max(from.command->start_tick, from.desired_tick) + from.command->motion_steps;
+    const Tick earliest = (has_left(from, to) ? from.desired_tick : end) + line.held - 1;
+    if (to.macrostep < earliest)
+      findings.add(words("macrostep=", to.macrostep, " of robot ", from.name, " after ", line.held, " holds"),
+                   words("at least ", earliest));
   }
 }
 

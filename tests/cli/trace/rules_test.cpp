@@ -136,6 +136,14 @@ TEST_F(TraceRule, HeldSteps) {
   expect_only("held-steps", "after 20 holds");
 }
 
+TEST_F(TraceRule, CommandThatAnEcpLeavesUnexecutedDelaysNoHold) {
+  line("arm", 3, 3).held = 20;
+  arm(3, 2).coordination = Coordination::takes_part;
+  EXPECT_FALSE(check(trace).rules.contains("held-steps")) << check(trace).text();
+  line("arm", 3, 3).held = 22;
+  EXPECT_TRUE(check(trace).rules.contains("held-steps")) << check(trace).text();
+}
+
 TEST_F(TraceRule, SensorPeriod) {
   line("arm", 2, 1).sensors[0].values[3] = 7;
   expect_only("sensor-period", "it has one every 2 steps");
