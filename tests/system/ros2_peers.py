@@ -59,13 +59,16 @@ class Run:
     def operate(self, verb):
         subprocess.run([BUILD / "bin/mrroc", verb], env=self.environment, check=True, capture_output=True)
 
+    def children(self):
+        listed = pathlib.Path(f"/proc/{self.process.pid}/task/{self.process.pid}/children").read_text(encoding="utf-8")
+        return list(map(int, listed.split()))
+
     def bridge(self):
         """The process of the bridge: the child of the run with this program."""
-        children = pathlib.Path(f"/proc/{self.process.pid}/task/{self.process.pid}/children").read_text(encoding="utf-8").split()
-        for child in map(int, children):
+        for child in self.children():
             if pathlib.Path(f"/proc/{child}/exe").resolve().name == "mrroc_ros2":
                 return child
-        raise AssertionError(f"no bridge among {children}")
+        raise AssertionError(f"no bridge among {self.children()}")
 
     def end(self, expected=0):
         code = self.process.wait(timeout=TIMEOUT)
@@ -73,9 +76,16 @@ class Run:
         return self.text()
 
     def close(self):
-        if self.process.poll() is None:
-            self.process.send_signal(signal.SIGKILL)
-            self.process.wait()
+        if self.process.poll() is not None:
+            return
+        children = self.children()
+        self.process.send_signal(signal.SIGKILL)
+        self.process.wait()
+        # the next run's domain is the same: its endpoints must be those of that run alone
+        end = time.monotonic() + TIMEOUT
+        while any(pathlib.Path(f"/proc/{child}/exe").exists() for child in children):  # a zombie has none
+            assert time.monotonic() < end, f"processes {children} of a killed run"
+            time.sleep(0.02)
 
 
 def udp_ports(pid):
