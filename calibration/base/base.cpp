@@ -18,7 +18,7 @@ class BaseCalibration : public ecp::Task {
 
   void calibrate(const CalibrateBase& order) {
     require_fixed_base(*this, arm);
-    const AgreedFit agreed = views.estimate(view_order(order));
+    const AgreedFit agreed = views.estimate(views.order_of(order));
     const HandEyeFit& fit = agreed.fit;
     const double residual = print_residuals(agreed);
     const Pose marker = pose_from_rpy({order.x, order.y, order.z}, {order.roll, order.pitch, order.yaw});

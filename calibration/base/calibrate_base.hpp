@@ -14,12 +14,12 @@ struct CalibrateBase {
   double roll = 0, pitch = 0, yaw = 0;  ///< rad: its axes, x to the right, y up, z out of it
   int marker = -1;                      ///< of the camera's dictionary; -1: as deployed
   double marker_size = 0;               ///< m, beside `marker`; 0: as deployed
-  int views = 20;
-  double speed = 0.5;               ///< as JointLine's
-  double joint_deviation = 0.0003;  ///< rad or m: HandEyePriors::joint
-  double arm_deviation = 0.0001;    ///< m: HandEyePriors::position; of its rotation, twice as many rad
-  double residual_bound = 0.002;    ///< rad: largest residual of a view that is accepted
-  double distance_bound = 0.1;      ///< m: largest distance from the deployment's base that is accepted
+  int views = 40;
+  double speed = 0.5;          ///< as JointLine's
+  double joint_deviation = 0;  ///< rad or m: HandEyePriors::joint; 0: that of the arm's type, or of one as measured
+  double arm_deviation = 0;  ///< m: HandEyePriors::position; of its rotation, twice as many rad; 0: as joint_deviation
+  double residual_bound = 0.002;  ///< rad: largest residual of a view that is accepted
+  double distance_bound = 0.1;    ///< m: largest distance from the deployment's base that is accepted
 };
 MRROC_MESSAGE(CalibrateBase, sensor, into, x, y, z, roll, pitch, yaw, marker, marker_size, views, speed,
               joint_deviation, arm_deviation, residual_bound, distance_bound)

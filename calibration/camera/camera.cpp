@@ -15,8 +15,9 @@ class CameraCalibration : public ecp::Task {
 
   void calibrate(const CalibrateCamera& order) {
     require_fixed_base(*this, arm);
-    ViewOrder shown = view_order(order);
-    shown.cap = {.tilt = 0.5, .turn = 0.5, .joint_reach = 2.0};  // an arm has little room around what it holds
+    ViewOrder shown = views.order_of(order);
+    shown.cap.turn = 0.5;  // an arm has little room around what it holds
+    shown.cap.joint_reach = 2;
     const AgreedFit agreed = views.estimate(shown);
     const std::string eye{order.sensor.view()};
     report_camera({.kind = "camera",

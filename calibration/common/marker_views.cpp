@@ -16,6 +16,12 @@ constexpr double kWorstRotation = 0.05;  // rad: a view with a larger deviation 
 constexpr int kPictures = 4;             // of a posture
 constexpr std::size_t kLeastViews = 6;
 
+/// How well an arm is known: zeros of its joints, rad or m, and its flange from posture to posture, m.
+struct ArmDeviation {
+  double joint, flange;
+};
+constexpr ArmDeviation kArmOfItsType{3e-4, 1e-4}, kMeasuredArm{3e-5, 1e-5};
+
 /// The mean of several pictures at rest; nothing when the marker is not seen in all of them.
 std::optional<MarkerView> take_view(Robot& arm, Camera& eye) {
   Move({arm}, {}, Hold{arm, kSettling});
@@ -47,13 +53,25 @@ MarkerViews::MarkerViews(ecp::Task& task, Robot& arm, Carried carried) : task_(t
     cameras_.try_emplace(entry->name, task, entry->name);
 }
 
-/// The views of those postures from which the marker is seen. Each joint comes from the same side, against play.
+/// A deviation of 0 is that of this arm.
+HandEyePriors MarkerViews::priors_of(double joint, double arm) const {
+  const auto& measured = task_.process().deployment().robot(arm_.name()).measured_arm;
+  const ArmDeviation known = measured ? kMeasuredArm : kArmOfItsType;
+  HandEyePriors priors = arm_priors(joint > 0 ? joint : known.joint, arm > 0 ? arm : known.flange);
+  if (joint > 0) priors.play = std::min(priors.play, joint);
+  return priors;
+}
+
+/// The views of those postures from which the marker is seen. The joints come to every second one from below, to the
+/// others from above, at the two sides of their play.
 std::vector<MarkerView> MarkerViews::seen_from(const std::vector<JointVector>& postures, Camera& eye, double speed) {
   std::vector<MarkerView> views;
+  int approach = 1;
   for (const JointVector& posture : postures) {
-    Move({arm_}, {}, JointLine{arm_, before_posture(posture), speed});
+    Move({arm_}, {}, JointLine{arm_, beside_posture(posture, approach), speed});
     Move({arm_}, {}, JointLine{arm_, posture, speed});
-    if (const auto view = take_view(arm_, eye)) views.push_back(*view);
+    if (const auto view = take_view(arm_, eye)) views.emplace_back(*view).approach = approach;
+    approach = -approach;
   }
   return views;
 }

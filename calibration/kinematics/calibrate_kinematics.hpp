@@ -15,11 +15,11 @@ struct CalibrateKinematics {
   FixedText<255> into = {};
   int marker = -1;         ///< of the camera's dictionary; -1: as deployed
   double marker_size = 0;  ///< m, beside `marker`; 0: as deployed
-  int views = 60;
+  int views = 90;
   double reach = 0.12;             ///< rad or m of the last three joints, for the first estimate
   double speed = 0.5;              ///< as JointLine's
   double joint_deviation = 0.001;  ///< rad or m: HandEyePriors::joint
-  double arm_deviation = 0.0001;   ///< m: HandEyePriors::position, what remains of an arm as measured
+  double arm_deviation = 2e-6;     ///< m: HandEyePriors::position, what remains of an arm as measured
   double link_deviation = 0.0003;  ///< m, and as many rad: HandEyePriors::link_position; 0: links as in the model
   double gear_deviation = 0.0002;  ///< rad: HandEyePriors::gear; 0: gears as in the model
   double residual_bound = 0.002;   ///< rad: largest residual of a view that is accepted

@@ -65,8 +65,9 @@ class KinematicCalibration : public ecp::Task {
     const RobotModel& model = *models.front();
     const bool with_links = model.joint_count() == 6 && order.link_deviation > 0;
     if (with_links) kinematics::measured_chain(model);  // refused before anything moves
-    ViewOrder view_order = calibration::view_order(order);
-    view_order.cap = {.tilt = 0.6, .turn = 1.5, .nearest = 0.9, .farthest = 1.7, .joint_reach = 2.5};
+    ViewOrder view_order = marker.order_of(order);
+    view_order.priors.corner = whole_arm_priors().corner;
+    view_order.cap.farthest = 2;
     std::vector<MarkerView> views = marker.take(view_order);
     const kinematics::MeasuredJoints deployed(entry.measured_arm, model.joint_count());
     for (MarkerView& view : views) view.joints = deployed.encoders(view.joints);

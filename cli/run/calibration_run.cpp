@@ -97,11 +97,13 @@ std::filesystem::path checked_target(const config::Deployment& deployment, const
 std::vector<CalibrationSetting> view_settings() {
   return {{"marker", true, -1, -1, 100000, "Number of the marker in the camera's dictionary; -1: as deployed"},
           {"marker_size", false, 0, 0, 10, "m: side of its black square, beside --marker; 0: as deployed"},
-          {"views", true, 20, 6, 200, "Postures from which the camera looks at it"},
+          {"views", true, 40, 6, 200, "Postures from which the camera looks at it"},
           {"reach", false, 0.12, 0.02, 1, "rad or m by which the last three joints move for the first estimate"},
           {"speed", false, 0.5, 0.01, 1, "Of the robot between them, as a part of its greatest"},
-          {"joint_deviation", false, 0.0003, 1e-6, 0.1, "rad or m: expected error of each joint's zero"},
-          {"arm_deviation", false, 0.0001, 1e-6, 0.1, "m: expected error of the flange from posture to posture"},
+          {"joint_deviation", false, 0, 0, 0.1,
+           "rad or m: expected error of each joint's zero; 0: 0.0003, of an arm as measured 0.00003"},
+          {"arm_deviation", false, 0, 0, 0.1,
+           "m: expected error of the flange from posture to posture; 0: 0.0001, of an arm as measured 0.00001"},
           {"residual_bound", false, 0.002, 1e-5, 0.1, "rad: largest residual of a view that is accepted"}};
 }
 
@@ -121,8 +123,11 @@ std::vector<CalibrationSetting> with_marker_pose(std::vector<CalibrationSetting>
 /// Of `kinematics`: more views, and the arm's own deviations.
 std::vector<CalibrationSetting> of_an_arm(std::vector<CalibrationSetting> settings) {
   for (CalibrationSetting& setting : settings) {
-    if (setting.name == "views") setting.value = 60;
-    if (setting.name == "joint_deviation") setting.value = 0.001;
+    if (setting.name == "views") setting.value = 90;
+    if (setting.name == "joint_deviation")
+      setting = {"joint_deviation", false, 0.001, 1e-6, 0.1, "rad or m: expected error of each joint's zero"};
+    if (setting.name == "arm_deviation")
+      setting = {"arm_deviation", false, 2e-6, 1e-6, 0.1, "m: expected error of the flange that no number explains"};
   }
   settings.push_back({"link_deviation", false, 0.0003, 0, 0.05,
                       "m, and as many rad: expected error of each link; 0: as in the robot's model"});

@@ -60,18 +60,24 @@ Pose moved_part(const Pose& flange, Carried carried) { return carried == Carried
 class EstimatedArm {
  public:
   EstimatedArm(const RobotModel& model, const HandEyeFit& fit)
-      : model_(model), carried_(fit.carried), joints_(fit.arm, model.joint_count()) {
+      : model_(model), carried_(fit.carried), play_(fit.play), joints_(fit.arm, model.joint_count()) {
     if (!fit.arm.links.empty()) chain_ = kinematics::measured_chain(model, fit.arm.links);
   }
-  /// F where the encoders say this.
-  Pose part_at(const JointVector& encoders) const {
-    const JointVector joints = joints_.joints(encoders);
-    return moved_part(chain_ ? chain_->flange(joints) : model_.flange(joints), carried_);
+  /// The marker of a view in the camera frame.
+  Pose marker_at(const HandEyeFit& fit, const MarkerView& view) const {
+    return (part_at(view) * fit.camera).inverse() * fit.marker;
   }
 
  private:
+  /// F at the encoders' readings of a view.
+  Pose part_at(const MarkerView& view) const {
+    const JointVector joints = joints_.joints(view.joints) - view.approach * play_;
+    return moved_part(chain_ ? chain_->flange(joints) : model_.flange(joints), carried_);
+  }
+
   const RobotModel& model_;
   const Carried carried_;
+  const JointVector play_;
   const kinematics::MeasuredJoints joints_;
   std::optional<kinematics::SerialChain> chain_;
 };
@@ -113,7 +119,7 @@ Matrix8 weight_of(const MarkerView& view, const HandEyePriors& priors, Carried c
   return covariance.llt().matrixL().solve(Matrix8::Identity());
 }
 
-/// Parameters: X and Z as increments (translation, rotation vector) of their starts, e, k1, d, then gears and links.
+/// Parameters: X and Z as increments (translation, rotation vector) of their starts, e, k1, d, b, then gears and links.
 struct Problem {
   using Scalar = double;
   using InputType = VectorXd;
@@ -131,7 +137,7 @@ struct Problem {
   int joints() const { return model->joint_count(); }
   int gears() const { return priors.gear > 0 ? 3 * joints() : 0; }
   int links() const { return priors.estimate_links() ? 6 * joints() : 0; }
-  int inputs() const { return 14 + joints() + gears() + links(); }
+  int inputs() const { return 14 + 2 * joints() + gears() + links(); }
   int values() const { return 8 * static_cast<int>(views->size()) + inputs() - 12; }
 
   static Pose moved(const Pose& start, const VectorXd& x, Index from) {
@@ -148,13 +154,14 @@ struct Problem {
     fit.focal = x[12];
     fit.k1 = x[13];
     fit.arm.zeros = x.segment(14, joints());
-    Index from = 14 + joints();
+    fit.play = x.segment(14 + joints(), joints());
+    Index from = 14 + 2 * joints();
     for (; from < x.size() - links(); from += 3) fit.arm.gears.emplace_back(x.segment<3>(from));
     for (; from < x.size(); from += 6) fit.arm.links.emplace_back(x.segment<6>(from));
     return fit;
   }
   static Corners difference(const EstimatedArm& arm, const HandEyeFit& fit, const MarkerView& view) {
-    Corners seen = directions((arm.part_at(view.joints) * fit.camera).inverse() * fit.marker, view.side);
+    Corners seen = directions(arm.marker_at(fit, view), view.side);
     for (int i = 0; i < 4; ++i) seen.col(i) *= (1 + fit.focal) * (1 + fit.k1 * seen.col(i).squaredNorm());
     return seen - directions(view.marker, view.side);
   }
@@ -169,7 +176,8 @@ struct Problem {
     residuals[row] = fit.focal / priors.focal;
     residuals[row + 1] = fit.k1 / priors.k1;
     residuals.segment(row + 2, joints()) = fit.arm.zeros / priors.joint;
-    row += 2 + joints();
+    residuals.segment(row + 2 + joints(), joints()) = fit.play / priors.play;
+    row += 2 + 2 * joints();
     for (int axis = 0; axis < std::ssize(fit.arm.gears); ++axis, row += 3) {
       const double round = model->joint_period(axis) > 0 ? priors.gear : kNone;  // a sliding axis has no eccentricity
       residuals.segment<3>(row) =
@@ -214,14 +222,6 @@ double worst(const Matrix3d& covariance) {
 
 }  // namespace
 
-HandEyePriors arm_priors(double joint, double arm) noexcept {
-  HandEyePriors priors;
-  priors.joint = joint;
-  priors.position = arm;
-  priors.rotation = 2 * arm;
-  return priors;
-}
-
 HandEyeFit closed_form_hand_eye(const RobotModel& model, const std::vector<MarkerView>& views, Carried carried) {
   if (views.size() < 3)
     throw NonFatalError(ErrorCode::invalid_argument,
@@ -236,7 +236,7 @@ HandEyeFit closed_form_hand_eye(const RobotModel& model, const std::vector<Marke
   }
   HandEyeFit fit;
   fit.carried = carried;
-  fit.arm.zeros = JointVector::Zero(model.joint_count());
+  fit.arm.zeros = fit.play = JointVector::Zero(model.joint_count());
   fit.camera = park_martin(a, b);
   Vector3d position = Vector3d::Zero();
   Matrix3d rotation = Matrix3d::Zero();
@@ -274,6 +274,10 @@ HandEyeFit fit_hand_eye(const RobotModel& model, const std::vector<MarkerView>& 
   fit.marker_rotation_deviation = worst(covariance.block<3, 3>(9, 9));
   for (const MarkerView& view : views) fit.residuals.push_back(residual_of(model, fit, view));
   return fit;
+}
+
+Pose expected_marker(const RobotModel& model, const HandEyeFit& fit, const MarkerView& view) {
+  return EstimatedArm(model, fit).marker_at(fit, view);
 }
 
 double residual_of(const RobotModel& model, const HandEyeFit& fit, const MarkerView& view) {

@@ -31,7 +31,7 @@ Pose view(const Pose& first, const ViewCap& cap, int k) {
 
 }  // namespace
 
-JointVector before_posture(const JointVector& posture) { return posture.array() - kApproach; }
+JointVector beside_posture(const JointVector& posture, int approach) { return posture.array() - approach * kApproach; }
 
 bool within_limits(const RobotModel& model, const JointVector& joints) {
   JointVector motors = joints;
@@ -44,6 +44,15 @@ bool within_limits(const RobotModel& model, const JointVector& joints) {
   return true;
 }
 
+namespace {
+
+bool may_be_approached(const RobotModel& model, const JointVector& posture) {
+  return within_limits(model, posture) && within_limits(model, beside_posture(posture, 1)) &&
+         within_limits(model, beside_posture(posture, -1));
+}
+
+}  // namespace
+
 std::vector<JointVector> view_postures(const RobotModel& model, const HandEyeFit& rough, const JointVector& near,
                                        std::size_t count, const ViewCap& cap) {
   const bool moves = rough.carried == Carried::camera;
@@ -55,8 +64,7 @@ std::vector<JointVector> view_postures(const RobotModel& model, const HandEyeFit
     const Pose flange = moves ? carrier : carrier.inverse();
     JointVector joints = near;
     if (model.inverse(flange, near, joints) != ErrorCode::none) continue;
-    if ((joints - near).cwiseAbs().maxCoeff() > cap.joint_reach || !within_limits(model, joints)) continue;
-    if (!within_limits(model, before_posture(joints))) continue;
+    if ((joints - near).cwiseAbs().maxCoeff() > cap.joint_reach || !may_be_approached(model, joints)) continue;
     postures.push_back(joints);
   }
   return postures;
@@ -68,7 +76,7 @@ std::vector<JointVector> first_postures(const RobotModel& model, const JointVect
     for (const double side : {1.0, -1.0}) {
       JointVector joints = near;
       joints[i] += side * reach;
-      if (within_limits(model, joints) && within_limits(model, before_posture(joints))) postures.push_back(joints);
+      if (may_be_approached(model, joints)) postures.push_back(joints);
     }
   }
   return postures;

@@ -16,4 +16,7 @@ namespace mrroc::kinematics {
 /// SystemError(configuration): the model is no chain of its joints, or `links` has another size. Any thread; allocates.
 SerialChain measured_chain(const RobotModel& model, const std::vector<Twist>& links = {});
 
+/// Whether a model is the chain of its axes. Any thread; allocates.
+bool is_chain(const RobotModel& model);
+
 }  // namespace mrroc::kinematics

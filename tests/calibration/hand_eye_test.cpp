@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "calibration/as_computed.hpp"
 #include "calibration/outlying_views.hpp"
 #include "calibration/seeded.hpp"
 #include "calibration/view_postures.hpp"
@@ -33,6 +34,7 @@ struct Noise {
   double focal = 0, k1 = 0, joint = 0;  // sizes of the errors
   double link = 0;                      // m and rad
   double gear = 0;                      // rad
+  double play = 0;                      // rad: half of it
 };
 
 constexpr double kSide = 0.09;  // m
@@ -100,6 +102,9 @@ Scene scene(std::uint32_t seed, const Noise& noise, Carried carried = Carried::c
   truth.k1 = random.within(noise.k1);
   truth.arm.zeros = JointVector::Zero(home.size());
   for (double& joint : truth.arm.zeros) joint = random.within(noise.joint);
+  truth.play = JointVector::Zero(home.size());
+  if (noise.play > 0)
+    for (double& half : truth.play) half = std::abs(random.within(noise.play));
   if (noise.link > 0)
     for (Eigen::Index i = 0; i < home.size(); ++i)
       truth.arm.links.emplace_back() << random.vector(noise.link), random.vector(noise.link);
@@ -107,7 +112,8 @@ Scene scene(std::uint32_t seed, const Noise& noise, Carried carried = Carried::c
     for (Eigen::Index i = 0; i < home.size(); ++i) truth.arm.gears.emplace_back(random.vector(noise.gear));
   for (const JointVector& joints : view_postures(irb6(), truth, home, views, cap)) {
     MarkerView view;
-    view.joints = kinematics::MeasuredJoints(truth.arm, 6).encoders(joints);
+    view.approach = made.views.size() % 2 == 0 ? 1 : -1;
+    view.joints = kinematics::MeasuredJoints(truth.arm, 6).encoders(joints) + view.approach * truth.play;
     view.side = kSide;
     const Pose marker = seen_from(joints, truth);
     Eigen::Matrix<double, 2, 4> corners = corners_of(marker);
@@ -169,7 +175,7 @@ double error_of_places(const std::vector<MarkerView>& views, const HandEyeFit& f
   double worst = 0;
   for (const MarkerView& view : views) {
     const auto place = [&view](const HandEyeFit& arm) {
-      const JointVector joints = kinematics::MeasuredJoints(arm.arm, 6).joints(view.joints);
+      const JointVector joints = kinematics::MeasuredJoints(arm.arm, 6).joints(view.joints) - view.approach * arm.play;
       return Pose(arm.marker.inverse() * flange_of(joints, arm.arm.links) * arm.camera);
     };
     worst = std::max(worst, distance(place(fit), place(truth)));
@@ -211,6 +217,33 @@ RC_GTEST_PROP(HandEye, FindsTheGearsOfAnArm, (std::uint32_t seed)) {
   RC_ASSERT(fit.arm.gears.size() == 6U);
   RC_ASSERT(after < 0.0003);
   RC_ASSERT(after < 0.5 * before);
+}
+
+RC_GTEST_PROP(HandEye, FindsThePlayOfAnArm, (std::uint32_t seed)) {
+  const Scene made = scene(seed, {.corner = 2e-5, .joint = 0.0005, .play = 0.0005}, Carried::camera, 60);
+  const HandEyePriors exact{.joint = 0.0005, .position = 2e-6, .rotation = 4e-6, .play = 0.0005};
+  const HandEyeFit fit = fit_hand_eye(irb6(), made.views, exact);
+  std::vector<MarkerView> one_sided = made.views;
+  for (MarkerView& view : one_sided) view.approach = 0;
+  const HandEyeFit without = fit_hand_eye(irb6(), one_sided, exact);
+  RC_LOG() << "play " << made.truth.play.transpose() << ", found " << fit.play.transpose() << "\n";
+  RC_ASSERT((fit.play - made.truth.play).cwiseAbs().maxCoeff() < 5e-5);
+  RC_ASSERT(without.play.isZero(1e-12));
+  RC_ASSERT(distance(fit.camera, made.truth.camera) < 6 * fit.position_deviation);
+}
+
+TEST(HandEye, ErrorsOfAnArmStayInThePoseThatItsModelNeeds) {
+  double of_the_arm = 0, computed = 0;
+  for (std::uint32_t seed = 1; seed <= 20; ++seed) {
+    const Scene made = scene(seed, {.corner = 2e-5, .joint = 0.0005, .link = 0.0003}, Carried::camera, 40);
+    const HandEyeFit whole = fit_hand_eye(irb6(), made.views, whole_arm_priors());
+    const Pose wanted = as_computed(irb6(), made.views, made.truth).camera;
+    of_the_arm += distance(whole.camera, wanted) / 20;
+    computed += distance(as_computed(irb6(), made.views, whole).camera, wanted) / 20;
+  }
+  std::printf("mean error of the position: %.3f mm, as computed %.3f mm\n", 1000 * of_the_arm, 1000 * computed);
+  EXPECT_LT(computed, 0.0001);
+  EXPECT_LT(computed, 0.3 * of_the_arm);
 }
 
 RC_GTEST_PROP(HandEye, ViewsThatContradictTheOthersAreLeftOut, (std::uint32_t seed, bool marker)) {

@@ -68,8 +68,9 @@ class TrueArm {
     looking.marker = type.flange(type.parameters().home) * kNominalEye * Pose(Eigen::Translation3d(0, 0, 0.4)) *
                      Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitX());
     // other postures than those of the calibration
-    const auto postures = calibration::view_postures(type, looking, type.parameters().home, 100,
-                                                     {.tilt = 0.5, .turn = 1.2, .farthest = 1.5, .joint_reach = 2.5});
+    const auto postures =
+        calibration::view_postures(type, looking, type.parameters().home, 100,
+                                   {.tilt = 0.5, .turn = 1.2, .nearest = 1.0, .farthest = 1.5, .joint_reach = 2.5});
     std::vector<calibration::MarkerView> views;
     for (const JointVector& joints : postures) {
       calibration::MarkerView& view = views.emplace_back();
