@@ -14,6 +14,9 @@ bool has_another_stopped(const Step& step, std::size_t self) {
   return false;
 }
 
+/// In an ECP's Move with its MP, which has another robot: it holds when that one has stopped alone.
+bool is_held_by_the_mp(const RobotEntry& robot) { return robot.superior && robot.superior->kind == CommandKind::hold; }
+
 }  // namespace
 
 std::vector<Answer> answers(const Step& step) {
@@ -39,7 +42,7 @@ std::vector<Answer> answers(const Step& step) {
     answer.after_force = forced && from.command->kind != CommandKind::force;
     answer.late = to.late > from.late;
     answer.in_group = line.robots.size() > 1 || from.superior || to.superior;
-    answer.joined = !to.moving && has_another_stopped(step, i);
+    answer.joined = !to.moving && (has_another_stopped(step, i) || is_held_by_the_mp(to));
     answer.by_ecp = to.coordination == Coordination::takes_part;
     found.push_back(answer);
   }

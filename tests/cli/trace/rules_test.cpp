@@ -136,6 +136,15 @@ TEST_F(TraceRule, HeldSteps) {
   expect_only("held-steps", "after 20 holds");
 }
 
+TEST_F(TraceRule, RobotOfAnEcpMayHaveStoppedWithAnotherOfItsMp) {
+  RobotEntry& slide = line("slide", 1, 2).robots[0];
+  slide.moving = false;
+  slide.desired[0] -= 0.005;
+  EXPECT_TRUE(check(trace).rules.contains("joint-target"));
+  slide.superior->kind = CommandKind::hold;
+  EXPECT_FALSE(check(trace).rules.contains("joint-target")) << check(trace).text();
+}
+
 TEST_F(TraceRule, CommandThatAnEcpLeavesUnexecutedDelaysNoHold) {
   line("arm", 3, 3).held = 20;
   arm(3, 2).coordination = Coordination::takes_part;
