@@ -7,7 +7,9 @@ namespace mrroc::calibration {
 /// A behaviour of the program calibrate_hand_eye: looks with `camera`, a camera on the robot's flange whose readings
 /// are in the camera frame, at a marker that does not move, from postures around the present one, in which it sees it;
 /// estimates the camera's pose on the flange and its focal length (`fit_hand_eye`), returns, and writes them into the
-/// calibration file `into`, an absolute path. Nothing may be in the path of the arm above the marker.
+/// calibration file `into`, an absolute path. Nothing may be in the path of the arm above the marker. With both
+/// deviations 0, an arm of six joints that was not measured is estimated, too, and the pose is that for its model
+/// (`as_computed`).
 struct CalibrateHandEye {
   FixedText<kNameLength> sensor = {};
   FixedText<255> into = {};
