@@ -17,8 +17,8 @@ class HandEyeCalibration : public ecp::Task {
   AnyRobot arm{*this};
   MarkerViews views{*this, arm};
 
-  /// Whether its errors are to be found with the camera: nothing is known of them, and its model has a chain.
-  bool errs(const CalibrateHandEye& order) {
+  /// Whether the errors of the arm are to be estimated, too: nothing is known of them, and its model is a chain of six.
+  bool arm_is_unknown(const CalibrateHandEye& order) {
     if (process().deployment().robot(arm.name()).measured_arm) return false;
     const RobotModel& model = *arm.models().front();
     return order.joint_deviation == 0 && order.arm_deviation == 0 && model.joint_count() == 6 &&
@@ -27,7 +27,7 @@ class HandEyeCalibration : public ecp::Task {
 
   void calibrate(const CalibrateHandEye& order) {
     ViewOrder look = views.order_of(order);
-    const bool with_arm = errs(order);
+    const bool with_arm = arm_is_unknown(order);
     if (with_arm) look.priors = whole_arm_priors();
     const std::vector<MarkerView> seen = views.take(look);
     const RobotModel& model = *arm.models().front();
