@@ -286,8 +286,7 @@ void Runner::end_processes() {
       .turn = [this] { supervisor_.turn_at_the_end(); },
       .message = [this](const std::string& line) { progress_.message(line); },
       .failed = [this](const std::string& reason) { supervisor_.fail(process::ExitCode::system, reason); },
-      .end_timeout = supervisor_.result().code == process::ExitCode::success ? kEndTimeoutAfterSuccess
-                                                                             : ShutdownListener{}.end_timeout,
+      .end_timeout = supervisor_.result().code == process::ExitCode::success ? kEndTimeoutAfterSuccess : kEndTimeout,
       .hurried = [this] { return supervisor_.hurried(); }};
   if (hosts_) supervisor_.guard([this] { hosts_->stop(); });
   shut_down(group_, clock_, supervisor_.task_started(), listener);

@@ -11,8 +11,11 @@ namespace mrroc::cli {
 
 namespace {
 
-constexpr std::int64_t kPatienceWithKilled = 3 * clock::kSecond;
-constexpr std::int64_t kPatienceWithHosts = 10 * clock::kSecond;  // longer than the timeout of their agents
+constexpr double kKillTimeout = 3;    // s
+constexpr double kAgentTimeout = 15;  // s
+static_assert(kAgentTimeout > kStopTimeout + kEndTimeout + kKillTimeout, "an agent may take so long");
+
+std::int64_t ns(double seconds) { return static_cast<std::int64_t>(seconds * clock::kSecond); }
 
 void report_failures(ProcessGroup& group, clock::ClockHost& clock, const ShutdownListener& listener) {
   for (const clock::Part part : {clock::Part::drives, clock::Part::world}) {
@@ -29,8 +32,7 @@ void report_failures(ProcessGroup& group, clock::ClockHost& clock, const Shutdow
 /// long as it advances: on a busy machine it is slow.
 class TimeToStop {
  public:
-  TimeToStop(const clock::ClockHost& clock, double timeout)
-      : clock_(clock), timeout_(static_cast<std::int64_t>(timeout * clock::kSecond)) {}
+  TimeToStop(const clock::ClockHost& clock, double timeout) : clock_(clock), timeout_(ns(timeout)) {}
 
   bool is_over() {
     const std::int64_t now = clock::monotonic_ns();
@@ -78,11 +80,10 @@ void shut_down(ProcessGroup& group, clock::ClockHost& clock, bool started, const
   // first the signal: a process that is still being set up must receive the request before its clock refuses it
   group.signal(SIGTERM);
   clock.end();
-  const std::int64_t deadline =
-      clock::monotonic_ns() + static_cast<std::int64_t>(listener.end_timeout * clock::kSecond);
+  const std::int64_t deadline = clock::monotonic_ns() + ns(listener.end_timeout);
   while (!group.all_ended() && clock::monotonic_ns() < deadline && !listener.hurried()) listener.turn();
   for (const std::string& name : group.kill_rest()) listener.message("process " + name + " does not end, killing it");
-  const std::int64_t last = clock::monotonic_ns() + kPatienceWithKilled;
+  const std::int64_t last = clock::monotonic_ns() + ns(kKillTimeout);
   while (!group.all_ended() && clock::monotonic_ns() < last) listener.turn();
   for (const std::string& name : group.kill_rest())
     listener.message("process " + name + " is killed, but a debugger or the kernel holds it: not waiting for it");
@@ -93,7 +94,7 @@ void shut_down(ProcessGroup& group, clock::ClockHost& clock, bool started, const
 void shut_down(RemoteHosts& hosts, const ShutdownListener& listener) {
   const std::int64_t begin = clock::monotonic_ns();
   // no timeout: the time to send the steps is not known
-  const auto patient = [&] { return clock::monotonic_ns() < std::max(begin, hosts.step_at()) + kPatienceWithHosts; };
+  const auto patient = [&] { return clock::monotonic_ns() < std::max(begin, hosts.step_at()) + ns(kAgentTimeout); };
   while (!hosts.all_ended() && patient() && !listener.hurried()) listener.turn();
   for (const std::string& name : hosts.kill_rest())
     listener.message("host " + name + ": its agent does not end, killing the command that started it");

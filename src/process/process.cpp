@@ -3,8 +3,6 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <atomic>
-#include <csignal>
 #include <cstdio>
 #include <new>
 #include <system_error>
@@ -13,36 +11,12 @@
 #include "clock/wall/realtime.hpp"
 #include "config/table.hpp"
 #include "mrroc/stopped.hpp"
+#include "process/end_request.hpp"
 #include "process/record/text_memory.hpp"
 
 namespace mrroc::process {
 
 namespace {
-
-// the only object that a signal handler can reach
-std::atomic<clock::Clock*> interruptible{nullptr};
-std::atomic<bool> asked_to_end{false};
-std::atomic<bool> setting_up{true};
-
-constexpr unsigned kPatienceToEnd = 5;  // s; longer than the runner's timeout after a failure or a stop
-
-void on_signal(int) {
-  // before the barrier nothing moves and nothing needs cleaning up: the process may end at once
-  if (setting_up) _exit(static_cast<int>(ExitCode::stopped));
-  asked_to_end = true;
-  alarm(kPatienceToEnd);  // a task that never reaches its next wait must not outlive the run
-  if (clock::Clock* clock = interruptible.load()) clock->interrupt();
-}
-
-void install_signal_handlers() {
-  struct sigaction action {};
-  action.sa_handler = on_signal;
-  sigaction(SIGTERM, &action, nullptr);
-  sigaction(SIGINT, &action, nullptr);
-  // neither a closed pipe to the runner nor a file size limit may end the process in the middle of a motion
-  std::signal(SIGPIPE, SIG_IGN);
-  std::signal(SIGXFSZ, SIG_IGN);
-}
 
 links::ProcessStatus first_status(const Arguments& arguments, links::ProcessRole role) {
   links::ProcessStatus status;
@@ -118,7 +92,7 @@ Process::Process(const Arguments& arguments, links::ProcessRole role)
     fibers_ = fibers.get();
     clock_ = std::move(fibers);
   }
-  interruptible = clock_.get();
+  interrupt_at_request(clock_.get());
   // before the domain: Cyclone's threads inherit the priority of the thread that creates them
   // what is refused the runner has said once for all processes of the machine, an agent for those of its own
   if (!clock_->simulated()) clock::request_realtime(priority_of(role));
@@ -130,7 +104,7 @@ Process::Process(const Arguments& arguments, links::ProcessRole role)
   status_ = std::make_unique<StatusBoard>(*publisher_, status, *clock_);
 }
 
-Process::~Process() { interruptible = nullptr; }
+Process::~Process() { interrupt_at_request(nullptr); }
 
 void Process::fail_at_end(std::string reason) {
   if (failure_at_end_.empty()) failure_at_end_ = std::move(reason);
@@ -139,7 +113,7 @@ void Process::fail_at_end(std::string reason) {
 void Process::start() {
   status_->state(links::ProcessState::ready);
   const bool started = clock_->start();
-  setting_up = false;
+  set_up_ends();
   if (!started) throw Stopped{};
   status_->state(links::ProcessState::running);
 }
@@ -178,7 +152,7 @@ int end(Process* process, ExitCode code, bool report = true) {
 
 int run_process(int argc, char** argv, links::ProcessRole role, const std::function<void(Process&)>& body) {
   std::unique_ptr<Process> process;
-  install_signal_handlers();
+  receive_end_requests();
   std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);  // a pipe's buffer would hold a task's output until it ends
   try {
     const std::optional<Arguments> arguments = parse_arguments(argc, argv);
@@ -190,7 +164,7 @@ int run_process(int argc, char** argv, links::ProcessRole role, const std::funct
     return end(process.get(), serves(role) ? ExitCode::success : ExitCode::stopped);
   } catch (const std::exception& error) {
     // when all processes should end, some lose their peers: that is not their own failure
-    if (asked_to_end) return end(process.get(), ExitCode::stopped, false);
+    if (asked_to_end()) return end(process.get(), ExitCode::stopped, false);
     std::fprintf(stderr, "%s\n", error.what());
     if (process) process->status().failed(report_of(error));
     return static_cast<int>(process ? exit_code(error) : ExitCode::usage);
