@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "calibration/short_tour.hpp"
 #include "geometry/rigid_motion.hpp"
 
 namespace mrroc::calibration {
@@ -96,7 +97,8 @@ std::vector<MarkerView> MarkerViews::take(const ViewOrder& order) {
   views.push_back(*first);
   const HandEyeFit rough = closed_form_hand_eye(model, views, carried_);
   const auto count = static_cast<std::size_t>(order.views);
-  views = seen_from(view_postures(model, rough, start, count, order.cap), eye, order.speed);
+  const auto postures = short_tour(model, start, view_postures(model, rough, start, count, order.cap));
+  views = seen_from(postures, eye, order.speed);
   Move({arm_}, {}, JointLine{arm_, start, order.speed});
   if (views.size() < kLeastViews)
     throw NonFatalError("the marker was seen from " + std::to_string(views.size()) + " postures, expected at least " +
