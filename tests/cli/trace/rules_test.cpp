@@ -153,6 +153,34 @@ TEST_F(TraceRule, CommandThatAnEcpLeavesUnexecutedDelaysNoHold) {
   EXPECT_TRUE(check(trace).rules.contains("held-steps")) << check(trace).text();
 }
 
+/// Of the two robots of a Move the second one brakes with the first.
+TEST_F(TraceRule, CommandIsExecutedInPartWhenAnotherRobotOfItsGroupStops) {
+  Line& before = line("mp", 2, 2);
+  Line& held = line("mp", 2, 3);
+  ASSERT_EQ(held.robots.size(), 2U);
+  const RobotEntry& second = before.robots[1];
+  held.held = held.robots[1].macrostep - second.desired_tick + 1;
+  ASSERT_GT(second.command->motion_steps, 1U);
+  const std::string found = "of robot " + second.name + " after";
+  EXPECT_NE(check(trace).text().find(found), std::string::npos) << "no robot has stopped";
+  const RobotEntry first_before = before.robots[0], first = held.robots[0];
+  const auto excused = [&] {
+    const bool is = check(trace).text().find(found) == std::string::npos;
+    before.robots[0] = first_before;
+    held.robots[0] = first;
+    return is;
+  };
+  before.robots[0].coordination = Coordination::takes_part;
+  EXPECT_TRUE(excused()) << "its ECP has left";
+  held.robots[0].late = first_before.late + 1;
+  EXPECT_TRUE(excused()) << "its command was late";
+  held.robots[0].error = ErrorClass::hardware;
+  EXPECT_TRUE(excused()) << "it has a fault";
+  held.held += 1;
+  held.robots[0].late = first_before.late + 1;
+  EXPECT_FALSE(excused()) << "a hold takes at least a tick";
+}
+
 TEST_F(TraceRule, SensorPeriod) {
   line("arm", 2, 1).sensors[0].values[3] = 7;
   expect_only("sensor-period", "it has one every 2 steps");
