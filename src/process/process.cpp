@@ -11,8 +11,8 @@
 #include "clock/wall/realtime.hpp"
 #include "config/table.hpp"
 #include "mrroc/stopped.hpp"
-#include "process/end_request.hpp"
 #include "process/record/text_memory.hpp"
+#include "process/signals/end_request.hpp"
 
 namespace mrroc::process {
 

@@ -11,8 +11,8 @@
 
 #include "command/parse_command.hpp"
 #include "command/printable.hpp"
+#include "process/signals/stop_signals.hpp"
 #include "process/standard_files.hpp"
-#include "process/stop_signals.hpp"
 
 namespace mrroc::cli {
 

@@ -86,7 +86,7 @@ std::set<std::string> calls_in(const fs::path& file, const std::string& head) {
 
 // original's defect 16: streams and allocation in signal handlers; C++ code between vfork and exec
 TEST(Structure, SignalHandlersAndForkedChildrenCallOnlyWhatIsSafeThere) {
-  const fs::path handler = kRoot / "src/process/end_request.cpp", child = kRoot / "cli/processes/child.cpp";
+  const fs::path handler = kRoot / "src/process/signals/end_request.cpp", child = kRoot / "cli/processes/child.cpp";
   const fs::path crash = kRoot / "edp/drivers/driver_calls.cpp";
   for (const fs::path& file : sources()) {
     EXPECT_FALSE(has_one_of(file, {"vfork", "popen(", "std::system(", "posix_spawn"})) << file;

@@ -1,4 +1,4 @@
-#include "process/stop_signals.hpp"
+#include "process/signals/stop_signals.hpp"
 
 #include <signal.h>
 #include <sys/signalfd.h>

@@ -1,4 +1,4 @@
-#include "process/end_request.hpp"
+#include "process/signals/end_request.hpp"
 
 #include <unistd.h>
 

@@ -1,4 +1,4 @@
-#include "process/end_request.hpp"
+#include "process/signals/end_request.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/prctl.h>
