@@ -4,20 +4,24 @@ namespace mrroc::cli::trace {
 
 namespace {
 
-/// Whether a robot beside number `self` has stopped alone: it reports an error, or a late command.
-bool has_another_stopped(const Step& step, std::size_t self) {
-  for (std::size_t i = 0; i < step.line.robots.size(); ++i) {
-    const RobotEntry& robot = step.line.robots[i];
-    if (i == self) continue;
-    if (robot.error != ErrorClass::none || robot.late > step.before->robots[i].late) return true;
-  }
-  return false;
-}
-
 /// In an ECP's Move with its MP, which has another robot: it holds when that one has stopped alone.
 bool is_held_by_the_mp(const RobotEntry& robot) { return robot.superior && robot.superior->kind == CommandKind::hold; }
 
 }  // namespace
+
+bool has_left(const RobotEntry& from, const RobotEntry& to) {
+  return from.coordination == Coordination::takes_part && to.coordination != Coordination::takes_part;
+}
+
+bool has_another_stopped(const Step& step, std::size_t self) {
+  for (std::size_t i = 0; i < step.line.robots.size(); ++i) {
+    const RobotEntry& from = step.before->robots[i];
+    const RobotEntry& to = step.line.robots[i];
+    if (i == self) continue;
+    if (to.error != ErrorClass::none || to.late > from.late || has_left(from, to)) return true;
+  }
+  return false;
+}
 
 std::vector<Answer> answers(const Step& step) {
   std::vector<Answer> found;

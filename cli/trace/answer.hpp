@@ -36,6 +36,13 @@ struct Answer {
   bool braked() const noexcept { return to.tick > to.macrostep + command.motion_steps && to.desired_tick > to.tick; }
 };
 
+/// The ECP has left the Move of its MP between these states of a robot: it may have left the command unexecuted.
+bool has_left(const RobotEntry& from, const RobotEntry& to);
+
+/// Whether a robot beside number `self` has stopped alone: it reports an error or a late command, or its ECP has left.
+/// The line before has as many robots.
+bool has_another_stopped(const Step& step, std::size_t self);
+
 /// One for each robot whose state in the step answers the command of the step before without an error. Empty where the
 /// robots held or were queried in between, or the exchange was broken off.
 std::vector<Answer> answers(const Step& step);

@@ -93,34 +93,19 @@ void rest_before_resume(const Step& step, Findings& findings) {
                    words("rest before the motion continues after a ", late ? "late command" : "pause"));
 }
 
-/// The ECP has left the Move of its MP in between: it may have left the command unexecuted.
-bool has_left(const RobotEntry& from, const RobotEntry& to) {
-  return from.coordination == Coordination::takes_part && to.coordination != Coordination::takes_part;
-}
-
-/// A command whose robot, or another one of the step, has stopped alone may be executed in part only: their group
-/// brakes.
-bool is_cut_short(const Step& step) {
-  for (std::size_t i = 0; i < step.line.robots.size(); ++i) {
-    const RobotEntry& from = step.before->robots[i];
-    const RobotEntry& to = step.line.robots[i];
-    if (has_left(from, to) || to.late > from.late || to.error != ErrorClass::none) return true;
-  }
-  return false;
-}
-
 /// Every hold takes at least a tick, after the macrostep of the command before it.
 void held_steps(const Step& step, Findings& findings) {
   const Line& line = step.line;
   if (line.held == 0) return;
   if (step.begins() && line.robots.empty()) return;
   if (step.before == nullptr || line.broken_off() || line.robots.size() != step.before->robots.size()) return;
-  const bool cut_short = is_cut_short(step);
   for (std::size_t i = 0; i < line.robots.size(); ++i) {
     const RobotEntry& from = step.before->robots[i];
     const RobotEntry& to = line.robots[i];
     if (!from.command || to.error != ErrorClass::none) continue;
     const Tick end = std::max(from.command->start_tick, from.desired_tick) + from.command->motion_steps;
+    // not executed, or in part, because its group brakes
+    const bool cut_short = has_left(from, to) || has_another_stopped(step, i);
     const Tick earliest = (cut_short ? from.desired_tick : end) + line.held - 1;
     if (to.macrostep < earliest)
       findings.add(words("macrostep=", to.macrostep, " of robot ", from.name, " after ", line.held, " holds"),
