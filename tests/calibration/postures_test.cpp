@@ -21,6 +21,15 @@ class Postures : public testing::Test {
   const RobotModels models = load_irb6();
   const RobotModel& model = *models.front();
   const JointVector home = model.parameters().home;
+
+  /// A camera on the flange that sees a marker from home.
+  HandEyeFit rough_fit() const {
+    HandEyeFit rough;
+    rough.camera = Eigen::Translation3d(0.08, 0, 0.06) * Eigen::AngleAxisd(M_PI_2, Eigen::Vector3d::UnitZ());
+    rough.marker = model.flange(home) * rough.camera * Pose(Eigen::Translation3d(0.02, 0.01, 0.4)) *
+                   Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitX());
+    return rough;
+  }
 };
 
 TEST_F(Postures, AreWithinTheLimitsAndTheRegion) {
@@ -56,10 +65,7 @@ TEST_F(Postures, RefusesARegionWithTooFewOfThem) {
 }
 
 TEST_F(Postures, LookAtTheMarkerFromManySides) {
-  HandEyeFit rough;
-  rough.camera = Eigen::Translation3d(0.08, 0, 0.06) * Eigen::AngleAxisd(M_PI_2, Eigen::Vector3d::UnitZ());
-  rough.marker = model.flange(home) * rough.camera * Pose(Eigen::Translation3d(0.02, 0.01, 0.4)) *
-                 Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitX());
+  const HandEyeFit rough = rough_fit();
   const auto postures = view_postures(model, rough, home, 20);
   ASSERT_GE(postures.size(), 12U);
   for (const JointVector& joints : postures) {
@@ -114,10 +120,7 @@ RC_GTEST_FIXTURE_PROP(Postures, OfATourAreAllThereAndNoneTakesLonger, ()) {
 }
 
 TEST_F(Postures, OfAnArmAreVisitedOnShortWays) {
-  HandEyeFit rough;
-  rough.camera = Eigen::Translation3d(0.08, 0, 0.06) * Eigen::AngleAxisd(M_PI_2, Eigen::Vector3d::UnitZ());
-  rough.marker = model.flange(home) * rough.camera * Pose(Eigen::Translation3d(0.02, 0.01, 0.4)) *
-                 Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitX());
+  const HandEyeFit rough = rough_fit();
   const auto postures = view_postures(model, rough, home, 90);
   const double before = time_of(model, home, postures);
   const double after = time_of(model, home, short_tour(model, home, postures));
