@@ -16,6 +16,7 @@ constexpr double kSettling = 0.6;        // s of rest before a picture
 constexpr double kWorstRotation = 0.05;  // rad: a view with a larger deviation may be the mirrored pose
 constexpr int kPictures = 4;             // of a posture
 constexpr std::size_t kLeastViews = 6;
+constexpr std::size_t kPosturesPerLine = 10;
 
 /// How well an arm is known: zeros of its joints, rad or m, and its flange from posture to posture, m.
 struct ArmDeviation {
@@ -64,15 +65,19 @@ HandEyePriors MarkerViews::priors_of(double joint, double arm) const {
 }
 
 /// The views of those postures from which the marker is seen. The joints come to every second one from below, to the
-/// others from above, at the two sides of their play.
+/// others from above, at the two sides of their play. Prints how far it is, as this takes minutes.
 std::vector<MarkerView> MarkerViews::seen_from(const std::vector<JointVector>& postures, Camera& eye, double speed) {
   std::vector<MarkerView> views;
   int approach = 1;
-  for (const JointVector& posture : postures) {
-    Move({arm_}, {}, JointLine{arm_, beside_posture(posture, approach), speed});
-    Move({arm_}, {}, JointLine{arm_, posture, speed});
+  for (std::size_t k = 0; k < postures.size(); ++k) {
+    Move({arm_}, {}, JointLine{arm_, beside_posture(postures[k], approach), speed});
+    Move({arm_}, {}, JointLine{arm_, postures[k], speed});
     if (const auto view = take_view(arm_, eye)) views.emplace_back(*view).approach = approach;
     approach = -approach;
+    if ((k + 1) % kPosturesPerLine == 0 || k + 1 == postures.size()) {
+      std::printf("posture %2zu of %zu, the marker seen from %zu\n", k + 1, postures.size(), views.size());
+      std::fflush(stdout);
+    }
   }
   return views;
 }
@@ -121,12 +126,13 @@ AgreedFit agreed_fit(const RobotModel& model, const std::vector<MarkerView>& vie
 }
 
 double print_residuals(const AgreedFit& agreed) {
-  const std::vector<double>& residuals = agreed.fit.residuals;
-  for (std::size_t k = 0; k < residuals.size(); ++k)
-    std::printf("view %2zu: residual %.3f mrad\n", agreed.used[k] + 1, 1000 * residuals[k]);
+  std::vector<double> residuals = agreed.fit.residuals;
+  std::sort(residuals.begin(), residuals.end());
+  std::printf("%zu views: residual %.3f to %.3f mrad, median %.3f mrad\n", residuals.size(), 1000 * residuals.front(),
+              1000 * residuals.back(), 1000 * residuals[residuals.size() / 2]);
   for (const std::size_t view : agreed.left_out)
     std::printf("view %2zu: left out, it contradicts the others\n", view + 1);
-  return *std::max_element(residuals.begin(), residuals.end());
+  return residuals.back();
 }
 
 }  // namespace mrroc::calibration

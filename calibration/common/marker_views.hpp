@@ -67,7 +67,8 @@ class MarkerViews {
 AgreedFit agreed_fit(const RobotModel& model, const std::vector<MarkerView>& views, const HandEyePriors& priors,
                      Carried carried = Carried::camera);
 
-/// Prints the residual of each view, and which were left out; returns the largest residual, rad. Task's thread.
+/// Prints the least, the median and the largest residual of the views, and which were left out; returns the largest,
+/// rad. Task's thread.
 double print_residuals(const AgreedFit& agreed);
 
 }  // namespace mrroc::calibration
