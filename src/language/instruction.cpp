@@ -106,6 +106,7 @@ Outcome Instruction::run_steps() {
     const SpeedOverride::OwnTime own_time(speed_);
     started_ = generator_;
     generator_->start();
+    leads_ = true;
   }
   late_ = late_commands();
   for (;;) {
@@ -166,7 +167,7 @@ void Instruction::resume_after_late_command() {
   if (!sensors_.empty() && newest_state() > measure_at_) hold();  // the readings were requested before the delay
   come_to_rest();
   late_ = late_commands();
-  braking_ = halting_ = false;
+  end_braking();
   if (generator_ != nullptr) resume_generator();
 }
 

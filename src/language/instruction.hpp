@@ -29,6 +29,9 @@ class Instruction {
   bool together() const noexcept;
   /// From now on the steps lead the robots to rest on their way, where `braking_` is true then.
   void begin_braking();
+  void end_braking() noexcept;
+  /// Whether the last step brakes: the speed cannot stretch every command.
+  bool leads_to_rest() const noexcept;
   /// After an error that is not of a robot: robots that move together come to rest on their common way, as far as the
   /// generator can lead them. The steps are not recorded.
   void brake_together();
@@ -85,6 +88,7 @@ class Instruction {
   std::vector<Sensor*> sensors_;
   Generator* generator_;
   Generator* started_ = nullptr;
+  bool leads_ = false;  ///< the generator has started: it can be asked for states
   std::shared_ptr<Condition> condition_;
   std::vector<const Condition*> leaves_;
   Task* task_ = nullptr;

@@ -14,10 +14,12 @@ bool Instruction::operator_ends_it() {
   const bool ends = request == OperatorRequest::stop || request == OperatorRequest::end_motion;
   if (ends && together() && ending_ != OperatorRequest::stop) ending_ = request;
   const bool brake = request == OperatorRequest::pause || ending_ != OperatorRequest::none;
+  const bool comes_to_rest = leads_to_rest();
   if (brake && !braking_ && generator_ != nullptr && moving()) begin_braking();
   // a pause that ends early still leads to rest: the generator continues from there
-  const bool goes_on = ending_ == OperatorRequest::none || braking_steps_++ < kMostBrakingSteps;
-  if (braking_ && (brake || request == OperatorRequest::none) && goes_on && moving()) return false;
+  if (braking_ && comes_to_rest && (brake || request == OperatorRequest::none) && moving() &&
+      braking_steps_++ < kMostBrakingSteps)
+    return false;
   if (ending_ != OperatorRequest::none) request = std::exchange(ending_, OperatorRequest::none);
   if (request == OperatorRequest::pause || braking_) request = hold_until_resumed(request);
   if (request == OperatorRequest::stop) throw Stopped{};
@@ -35,19 +37,31 @@ bool Instruction::together() const noexcept {
 }
 
 void Instruction::begin_braking() {
-  halting_ = speed_.acts();
-  braking_ = halting_ || generator_->brake();
-  if (!braking_ && together()) braking_ = halting_ = speed_.scales();
+  if (speed_.acts()) {
+    braking_ = halting_ = speed_.can_halt();
+    return;
+  }
+  braking_ = generator_->brake();
+  if (!braking_ && together()) braking_ = halting_ = speed_.can_halt();
+}
+
+bool Instruction::leads_to_rest() const noexcept { return !halting_ || (speed_.can_halt() && speed_.stretches()); }
+
+void Instruction::end_braking() noexcept {
+  braking_ = halting_ = false;
+  braking_steps_ = 0;
 }
 
 void Instruction::brake_together() {
   const auto reports = [](const Robot* robot) { return robot->state().error.error_class != ErrorClass::none; };
-  if (!together() || generator_ == nullptr || !moving()) return;
+  if (!together() || !leads_ || !moving()) return;
   try {
     if (!braking_) begin_braking();
     while (braking_ && braking_steps_++ < kMostBrakingSteps && moving() &&
            std::none_of(robots_.begin(), robots_.end(), reports)) {
+      if (speed_.due() && generator_->terminal_condition()) return;
       write_next_state();
+      if (!leads_to_rest()) return;
       send(++step_);
       receive(step_);
     }
@@ -64,7 +78,7 @@ OperatorRequest Instruction::hold_until_resumed(OperatorRequest request) {
     come_to_rest();
     resume_generator();
   }
-  braking_ = halting_ = false;
+  end_braking();
   return request;
 }
 

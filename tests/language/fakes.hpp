@@ -83,6 +83,8 @@ class FakeRobotLink : public RobotLink {
       model->inverse(command_.pose, state.desired_joints, state.desired_joints);
       const auto linear = std::min<Eigen::Index>(3, state.desired_velocity.size());
       state.desired_velocity.head(linear) = command_.twist.head(linear);
+    } else if (command_.kind == CommandKind::force) {
+      state.desired_velocity.setConstant(0.01);  // it follows the contact
     }
     state.joints = state.desired_joints;
     state.joint_velocity = state.desired_velocity;

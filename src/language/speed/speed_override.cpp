@@ -35,6 +35,11 @@ bool SpeedOverride::at_rest() const noexcept {
                      [](const OwnMacrostep& macrostep) { return macrostep.robot().state().at_rest(); });
 }
 
+bool SpeedOverride::can_halt() const noexcept {
+  return scales_ && std::none_of(robots_->begin(), robots_->end(),
+                                 [](const Robot* robot) { return robot->command().kind == CommandKind::force; });
+}
+
 void SpeedOverride::begin() noexcept {
   if (!scales_)
     for (Robot* robot : *robots_) robot->time_scale() = TimeScale{};

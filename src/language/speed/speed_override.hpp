@@ -29,8 +29,10 @@ class SpeedOverride {
   void begin() noexcept;
   /// The generator writes the next commands.
   bool due() const noexcept { return due_; }
-  /// Whether it can scale the generator's motion.
-  bool scales() const noexcept { return scales_; }
+  /// Whether it can bring the robots to rest on their paths. A robot that executes a force command has none.
+  bool can_halt() const noexcept;
+  /// Whether the commands under way are stretched; else they were left as the generator wrote them.
+  bool stretches() const noexcept { return stretches_; }
   /// Whether the motion is executed otherwise than the generator commands it.
   bool acts() const noexcept { return scales_ && !(due_ && place_ == 0 && scale_.is_real_time()); }
   /// Stretches the commands to `wanted`, 0..1; 0 brings the robots to rest on their paths.

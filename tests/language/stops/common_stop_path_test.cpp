@@ -10,6 +10,7 @@
 #include "edp/random_values.hpp"
 #include "language/fakes.hpp"
 #include "language/property.hpp"
+#include "language/random_values.hpp"
 #include "language/stops/common_stop.hpp"
 
 namespace mrroc::common_stop_path_test {
