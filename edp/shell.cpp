@@ -3,8 +3,11 @@
 #include <unistd.h>
 
 #include <cmath>
+#include <cstdio>
 #include <deque>
+#include <limits>
 #include <optional>
+#include <utility>
 
 #include "clock/leave.hpp"
 #include "config/robot_place.hpp"
@@ -15,8 +18,10 @@
 #include "edp/drivers/injected_hardware.hpp"
 #include "edp/drivers/load_driver.hpp"
 #include "edp/force/wrist_sensor.hpp"
+#include "edp/safety/error_report.hpp"
 #include "edp/servo/servo.hpp"
 #include "edp/servo/servo_thread.hpp"
+#include "edp/status_counters.hpp"
 #include "kinematics/loaded_model.hpp"
 #include "kinematics/measured_model.hpp"
 #include "links/exchange/robot_responder.hpp"
@@ -32,6 +37,7 @@ namespace mrroc::edp {
 namespace {
 
 constexpr double kTelemetryPeriod = 0.02;  // s between two states for watchers
+constexpr double kSilentPowerUp = 1;       // s, then the wait is reported
 
 class Shell {
  public:
@@ -49,10 +55,9 @@ class Shell {
         responder_(process.domain(), process.clock(), process.topic(place_.entry.name),
                    process.deployment().heartbeat_timeout),
         operator_(process.domain(), process.clock(), process.topic(place_.entry.name + "/operator"),
-                  OperatorMotion::kJogValidity),
+                  std::numeric_limits<double>::infinity()),
         telemetry_(process.domain(), process.topic(place_.entry.name + "/telemetry")),
         telemetry_period_(static_cast<Tick>(std::ceil(kTelemetryPeriod / process.clock().period()))) {
-    process.status().also([this] { telemetry_.publish(); });
     for (const config::SensorEntry& sensor : process.deployment().sensors)
       if (sensor.robot == place_.entry.name && sensor.wants_effector_state)
         feeds_.emplace_back(process.domain(), process.clock(), process.topic(place_.entry.name), sensor.name);
@@ -61,9 +66,11 @@ class Shell {
     if (place_.entry.emergency_stop) servo_.use_emergency_terminal(*place_.entry.emergency_stop);
     if (const int fd = process.arguments().record_fd; fd >= 0)
       servo_.use_tap(tap_.emplace(ServoTap::attach(fd, kServoTapWhat)), process.clock().simulated());
-    if (force_sensor_ == nullptr) return;
-    servo_.use_force_sensor(*force_sensor_, place_.entry.force_limits);
-    effector_.use_force_sensor(force_sensor_->mount());
+    if (force_sensor_ != nullptr) {
+      servo_.use_force_sensor(*force_sensor_, place_.entry.force_limits);
+      effector_.use_force_sensor(force_sensor_->mount());
+    }
+    process.status().also([this] { telemetry_.publish(); });  // last: another thread calls it
   }
 
   ~Shell() {
@@ -141,9 +148,12 @@ class Shell {
         feed();
       }
       ready = ready || switched_on();
-      if (ready) exchange();
+      if (ready)
+        exchange();
+      else
+        await_drives();
       store_telemetry();
-      process_.status().counters(counters(nullptr));
+      process_.status().counters(counters_of(effector_, servo_));
       if (clock.stopping() && !servo_.drives_on()) return;
     }
   }
@@ -151,15 +161,43 @@ class Shell {
   void serve_real() {
     clock::Clock& clock = process_.clock();
     ServoThread thread(servo_, clock, feeds_.empty() ? telemetry_period_ : 1);
-    while (!switched_on() && clock.wait(clock.tick() + 1) != clock::Wake::interrupted) {
+    bool runs = !clock.stopping();
+    for (; runs && !switched_on();
+         runs = clock.wait(clock.tick() + 1) != clock::Wake::interrupted && !clock.stopping()) {
+      feed();
+      await_drives();
+      store_telemetry();
     }
-    do {
+    for (; runs; runs = clock.wait(kNever) != clock::Wake::interrupted && !clock.stopping()) {
       feed();
       exchange();
       store_telemetry();
-      process_.status().counters(counters(&thread.statistics()));
-    } while (clock.wait(kNever) != clock::Wake::interrupted && !clock.stopping());
+      process_.status().counters(counters_of(effector_, servo_, &thread.statistics()));
+    }
     // the thread's destructor stops the robot and switches the drives off
+  }
+
+  /// Before the drives are on the task's first command waits, and orders of the operator are refused.
+  void await_drives() {
+    if (responder_.take(command_, sequence_)) waiting_ = command_;
+    std::uint64_t sequence = 0;
+    while (operator_.take(order_, sequence)) refuse("the drives are being switched on", sequence);
+    say_that_drives_are_switched_on();
+  }
+
+  void refuse(const char* reason, std::uint64_t order) {
+    reply_.state = RobotState{};
+    effector_.peek(reply_.state);
+    reply_.state.error = make_report(ErrorClass::non_fatal, ErrorCode::busy, "%s", reason);
+    operator_.reply(reply_.state, order);
+  }
+
+  /// It may take a robot with a controller of its own some ten seconds.
+  void say_that_drives_are_switched_on() {
+    if (said_ || static_cast<double>(process_.clock().tick()) * process_.clock().period() < kSilentPowerUp) return;
+    said_ = true;
+    std::puts("the drives are being switched on");
+    std::fflush(stdout);
   }
 
   /// The drives are on, or a fault keeps them off: from now on every command gets its answer.
@@ -184,6 +222,10 @@ class Shell {
 
   /// Sends due replies, then takes received commands.
   void exchange() {
+    if (waiting_) {
+      command_ = *std::exchange(waiting_, std::nullopt);
+      accept(sequence_);
+    }
     while (effector_.poll(reply_)) {
       if (!OperatorMotion::is_own(reply_.command))
         responder_.reply(reply_.state, reply_.command);
@@ -191,44 +233,24 @@ class Shell {
         operator_.reply(reply_.state, reply_.command);
     }
     std::uint64_t sequence = 0;
-    while (responder_.take(command_, sequence)) {
-      if (operator_motion_.accept_of_task(command_, sequence, process_.clock().tick())) continue;
-      if (effector_.accept(command_, sequence, reply_)) responder_.reply(reply_.state, sequence);
-    }
+    while (responder_.take(command_, sequence)) accept(sequence);
     if (operator_motion_.update(process_.clock().tick(), reply_)) operator_.reply(reply_.state, reply_.command);
     if (operator_motion_.hold_for_late_motion(reply_)) responder_.reply(reply_.state, reply_.command);
     if (operator_motion_.poll_hold(process_.clock().tick(), reply_)) responder_.reply(reply_.state, reply_.command);
     while (operator_.take(command_, sequence)) {
+      if (!operator_.fresh(OperatorMotion::kJogValidity)) {
+        if (!OperatorMotion::is_jog(command_)) refuse("the order has come too late", sequence);
+        continue;
+      }
       if (operator_motion_.accept(command_, sequence, process_.clock().tick(), reply_))
         operator_.reply(reply_.state, reply_.command);
     }
   }
 
-  links::Counters counters(const clock::TickStatistics* ticks) {
-    links::Counters counters;
-    if (const Snapshot* snapshot = effector_.snapshot()) {
-      counters.ticks = snapshot->counters.ticks;
-      counters.missed_ticks = snapshot->counters.missed;
-    }
-    counters.late_commands = effector_.counters().late;
-    if (ticks == nullptr) return counters;
-    counters.missed_ticks = ticks->missed();  // skipped or executed late
-    const auto microseconds = [](std::uint64_t ns) { return static_cast<double>(ns) * 1e-3; };
-    counters.wakeup_p50_us = microseconds(ticks->lateness().percentile(0.5));
-    counters.wakeup_p99_us = microseconds(ticks->lateness().percentile(0.99));
-    counters.wakeup_max_us = microseconds(ticks->lateness().max());
-    counters.execution_p50_us = microseconds(ticks->execution().percentile(0.5));
-    counters.execution_p99_us = microseconds(ticks->execution().percentile(0.99));
-    counters.execution_max_us = microseconds(ticks->execution().max());
-    if (const RobotClock* const robot = servo_.robot_clock()) {
-      const BeatCounters beats = robot->counters();
-      counters.packages = beats.packages;
-      counters.packages_lost = beats.lost;
-      counters.packages_doubled = beats.doubled;
-      counters.packages_late = beats.late;
-      counters.packages_bunched = beats.bunched;
-    }
-    return counters;
+  /// Takes `command_`, number `sequence` of the task.
+  void accept(std::uint64_t sequence) {
+    if (operator_motion_.accept_of_task(command_, sequence, process_.clock().tick())) return;
+    if (effector_.accept(command_, sequence, reply_)) responder_.reply(reply_.state, sequence);
   }
 
   process::Process& process_;
@@ -252,7 +274,10 @@ class Shell {
   Tick next_telemetry_ = 0;
   std::deque<links::StateFeed> feeds_;
   RobotState fed_;
-  RobotCommand command_;
+  RobotCommand command_, order_;
+  std::optional<RobotCommand> waiting_;  ///< the task's first command, number `sequence_`, until the drives are on
+  std::uint64_t sequence_ = 0;
+  bool said_ = false;
   Reply reply_;
 };
 

@@ -23,10 +23,13 @@ std::string number(double value) {
   return text.str();
 }
 
-/// Lines of the script that set the payload and the tool's voltage.
+/// Lines of the script that set the payload and the tool's voltage. Without a load the payload of the teach pendant
+/// stays: 0 would be wrong for every tool.
 std::string settings(const UrOptions& options) {
-  std::string lines = "set_payload(" + number(options.payload_mass) + ", [" + number(options.payload_centre[0]) + ", " +
-                      number(options.payload_centre[1]) + ", " + number(options.payload_centre[2]) + "])";
+  std::string lines = "# payload and tool";
+  if (options.payload_mass > 0)
+    lines += "\n  set_payload(" + number(options.payload_mass) + ", [" + number(options.payload_centre[0]) + ", " +
+             number(options.payload_centre[1]) + ", " + number(options.payload_centre[2]) + "])";
   if (options.tool_voltage >= 0) lines += "\n  set_tool_voltage(" + std::to_string(options.tool_voltage) + ")";
   return lines;
 }

@@ -12,9 +12,9 @@ namespace {
 constexpr int kSlowings = 4;          // by half, near a limit
 constexpr double kDifference = 1e-3;  // s, of a motor velocity
 
-bool is_velocity(const RobotCommand& command) noexcept {
-  return command.kind == CommandKind::joint_velocity || command.kind == CommandKind::twist ||
-         (command.kind == CommandKind::motor && command.joints.size() == 0);
+/// The end of the macrostep of a task's command that has come at tick `now`.
+Tick end_of(const RobotCommand& command, Tick now) noexcept {
+  return std::clamp(command.start_tick, now, now + kMaxMotionSteps) + command.motion_steps;
 }
 
 bool is_travel(const RobotCommand& command) noexcept {
@@ -24,6 +24,11 @@ bool is_travel(const RobotCommand& command) noexcept {
 ErrorReport busy(const char* reason) noexcept { return make_report(ErrorClass::non_fatal, ErrorCode::busy, reason); }
 
 }  // namespace
+
+bool OperatorMotion::is_jog(const RobotCommand& command) noexcept {
+  return command.kind == CommandKind::joint_velocity || command.kind == CommandKind::twist ||
+         (command.kind == CommandKind::motor && command.joints.size() == 0);
+}
 
 OperatorMotion::OperatorMotion(Effector& effector, const ModelSet& models, double period)
     : effector_(effector), models_(models), period_(period), travel_(models, period) {}
@@ -44,11 +49,11 @@ bool OperatorMotion::accept_of_task(const RobotCommand& command, std::uint64_t n
     const bool moved_here = phase_ != Phase::idle;
     if (moved_here) task_hold_ = TaskHold{number, now + command.reply_step, false};
     if (moved_here || (effector_.peek(state) && state.at_rest())) {
-      last_task_hold_ = now;
+      task_holds_until_ = end_of(command, now);
       return moved_here;
     }
   }
-  last_task_command_ = now;
+  task_commands_until_ = end_of(command, now);
   if (next_travel_) next_travel_->ended = true;
   if (!moves) return false;
   if (is_change(command.kind)) {
@@ -111,7 +116,7 @@ bool OperatorMotion::accept(const RobotCommand& command, std::uint64_t number, T
   }
   if (command.kind == CommandKind::hold) {
     end_motion();
-  } else if (is_velocity(command)) {
+  } else if (is_jog(command)) {
     error = jog(command, now);
   } else if (is_travel(command)) {
     if (phase_ == Phase::stop) {
@@ -134,10 +139,10 @@ bool OperatorMotion::accept(const RobotCommand& command, std::uint64_t number, T
 }
 
 ErrorReport OperatorMotion::refusal(const RobotCommand& command, Tick now) const noexcept {
-  const auto recent = [&](const std::optional<Tick>& tick) { return tick && now < *tick + ticks(kTaskIdle); };
-  const bool moves = is_velocity(command) || is_travel(command);
-  if (recent(last_task_command_)) return busy("the task commands the robot");
-  if (recent(last_task_hold_) && !(moves && command.choice == kTaskPaused) && command.kind != CommandKind::hold)
+  const auto recent = [&](const std::optional<Tick>& until) { return until && now < *until + ticks(kTaskIdle); };
+  const bool moves = is_jog(command) || is_travel(command);
+  if (recent(task_commands_until_)) return busy("the task commands the robot");
+  if (recent(task_holds_until_) && !(moves && command.choice == kTaskPaused) && command.kind != CommandKind::hold)
     return busy(moves ? "the task holds the robot; it may be moved while the task is paused"
                       : "the task holds the robot, also while paused: only jog, step and go are possible then");
   if (command.kind == CommandKind::hold || command.kind == CommandKind::set_outputs) return {};
@@ -146,7 +151,7 @@ ErrorReport OperatorMotion::refusal(const RobotCommand& command, Tick now) const
   if (next_travel_) return busy("the robot comes to rest, then it travels");
   if (phase_ == Phase::stop && is_travel(command)) return {};
   if (awaited_) return busy("the robot comes to rest");
-  if (!is_velocity(command) && phase_ != Phase::idle) return busy("the robot jogs");
+  if (!is_jog(command) && phase_ != Phase::idle) return busy("the robot jogs");
   return {};
 }
 

@@ -33,9 +33,12 @@ namespace mrroc::edp {
 class OperatorMotion {
  public:
   static constexpr double kJogValidity = 0.2;  ///< s
-  static constexpr double kTaskIdle = 0.1;     ///< s after a task's last command in which the robot is the task's
+  static constexpr double kTaskIdle = 0.1;     ///< s after a task's last macrostep in which the robot is the task's
   static constexpr std::uint16_t kSteps = OperatorTravel::kSteps;  ///< ticks of a macrostep
   static constexpr std::uint8_t kTaskPaused = 1;
+
+  /// Whether it is a jog, which is given repeatedly and has no answer of its own that anything waits for.
+  static bool is_jog(const RobotCommand& command) noexcept;
 
   /// All outlive it. `period` in s.
   OperatorMotion(Effector& effector, const ModelSet& models, double period);
@@ -85,7 +88,7 @@ class OperatorMotion {
   OperatorTravel travel_;
   Phase phase_ = Phase::idle;
   std::uint64_t sent_ = 0;  // own number of the last command to the effector
-  std::optional<Tick> last_task_command_, last_task_hold_;
+  std::optional<Tick> task_commands_until_, task_holds_until_;
   struct TaskHold {
     std::uint64_t number = 0;
     Tick due = 0;

@@ -26,6 +26,9 @@ class Responder {
   /// The newest request not yet taken, and its number for `reply`; false when there is none. Does not wait.
   bool take(Request& request, std::uint64_t& sequence);
 
+  /// Whether the request taken last was sent at most `max_age` s ago (`Reader::take_fresh`).
+  bool fresh(double max_age) const noexcept { return reader_.fresh(taken_, max_age); }
+
   /// Answers the request taken last. False when another request has overtaken it; it is then not answered.
   bool reply(const Reply& reply, std::uint64_t sequence);
   /// As `reply`, with the reply that `requester` has received last, as it came.

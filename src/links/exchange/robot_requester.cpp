@@ -13,8 +13,11 @@ RobotRequester::RobotRequester(Domain& domain, clock::Clock& clock, const std::s
       exchange_(domain, clock, topic_name(prefix, "command"), topic_name(prefix, "state"), std::move(peer)) {}
 
 Tick RobotRequester::due(const RobotCommand& command) const {
-  const Tick now = clock_.tick() + (command.kind == CommandKind::synchronise ? kSynchronisation : 0);
-  return command.kind == CommandKind::query ? now : command.reply_tick(busy_until_, now);
+  const bool long_one = !answered_ || command.kind == CommandKind::synchronise || command.kind == CommandKind::recover;
+  const Tick now = clock_.tick() + (long_one ? kLongest : 0);
+  if (command.kind == CommandKind::query) return now;
+  if (command.start_tick > now + kLongest) return now;  // refused at once
+  return command.reply_tick(busy_until_, now);
 }
 
 void RobotRequester::send(const RobotCommand& command, Tick timeout) {
@@ -27,6 +30,7 @@ void RobotRequester::forward(RobotResponder& responder, const RobotCommand& comm
 
 void RobotRequester::receive(RobotState& state) {
   exchange_.receive(state);
+  answered_ = true;
   busy_until_ = state.desired_tick;
 }
 

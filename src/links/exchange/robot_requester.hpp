@@ -11,7 +11,8 @@ namespace mrroc::links {
 class RobotRequester final : public RobotLink {
  public:
   static constexpr Tick kTimeout = 500;
-  static constexpr Tick kSynchronisation = 150'000;  ///< maximum duration of a robot's synchronisation
+  /// Longest duration of a robot's synchronisation or recovery, and until its drives are on at the start.
+  static constexpr Tick kLongest = 150'000;
 
   /// `prefix`: "<deployment>/<robot>"; `peer`: the other process's name, for errors; `timeout`: maximum lateness of a
   /// reply, ticks.
@@ -22,7 +23,9 @@ class RobotRequester final : public RobotLink {
   void connect(double timeout) { exchange_.connect(timeout); }
 
   /// The reply is due at the command's tick v, counted from the present, from `start_tick` or from the end of the
-  /// macrostep under way according to the last state, whichever comes last; `timeout` ticks later it is missed.
+  /// macrostep under way according to the last state, whichever comes last; `timeout` ticks later it is missed. The
+  /// first reply, and those to `synchronise` and `recover`, may come kLongest later: the link still notices when the
+  /// peer is gone.
   void send(const RobotCommand& command) override { send(command, timeout_); }
   void send(const RobotCommand& command, Tick timeout);
   /// As `send`, of the command that `responder` has taken last and returned as `command`, as it came.
@@ -41,6 +44,7 @@ class RobotRequester final : public RobotLink {
   const Tick timeout_;
   Requester<RobotCommand, RobotState> exchange_;
   Tick busy_until_ = 0;  // the last state's desired_tick
+  bool answered_ = false;
 };
 
 }  // namespace mrroc::links

@@ -20,6 +20,9 @@ class RobotResponder {
   /// The newest command not yet taken, if it is fresh; false when there is none. Does not wait, lock or allocate.
   bool take(RobotCommand& command, std::uint64_t& sequence) { return exchange_.take(command, sequence); }
 
+  /// Whether the command taken last was sent at most `max_age` s ago.
+  bool fresh(double max_age) const noexcept { return exchange_.fresh(max_age); }
+
   /// Answers the command taken last; false, and nothing sent, for one that has been overtaken. Not from a servo tick.
   bool reply(const RobotState& state, std::uint64_t sequence) { return exchange_.reply(state, sequence); }
 

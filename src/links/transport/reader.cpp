@@ -208,6 +208,11 @@ bool Reader<T>::latest(T& message) {
 }
 
 template <class T>
+bool Reader<T>::fresh(const Header& header, double max_age) const noexcept {
+  return impl_->fresh(header, max_age);
+}
+
+template <class T>
 void Reader<T>::forward(Writer<T>& writer, std::uint64_t sequence, std::uint64_t answers) {
   writer.send(impl_->taken, sequence, answers);
 }

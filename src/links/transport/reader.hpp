@@ -45,6 +45,8 @@ class Reader final : public ReaderBase {
   /// process that was stopped receives everything that has queued up. Stamps count from tick 0, which is common to all
   /// machines; under simulated time, and from another machine before tick 0, every message counts as fresh.
   bool take_fresh(T& message, Header& header, double max_age);
+  /// Whether the message with this header was sent at most `max_age` s ago, as above.
+  bool fresh(const Header& header, double max_age) const noexcept;
   /// The answer with the header's sequence, boot and answers; the messages before it are dropped as stale, undecoded.
   bool take_answer(T& message, const Header& expected);
   /// Sends the message that a function above returned last, as it came, through `writer` (`Writer::write`).

@@ -57,6 +57,27 @@ TEST(OperatorMotion, TaskTakesTheRobotAndHasItUntilItIsIdle) {
   }
 }
 
+// the macrosteps of a task may be as long as 20 s, and begin later
+TEST(OperatorMotion, RobotIsTheTasksUntilItsMacrostepHasEnded) {
+  for (const auto& [steps, later] : {std::pair{100, 0}, {500, 0}, {100, 300}}) {
+    Operated robot;
+    robot.run(10);
+    RobotCommand command =
+        joint_command(axis(0, 0.05), static_cast<std::uint16_t>(steps), static_cast<std::uint16_t>(steps - 2));
+    if (later > 0) command.start_tick = robot.now + static_cast<Tick>(later);
+    robot.task_command(command);
+    for (int tick = 0; tick < steps + later; tick += 20) {
+      robot.give(jog(0, 0.3));
+      EXPECT_EQ(robot.last_error(), ErrorCode::busy) << steps << " " << later << " " << tick;
+      robot.run(20);
+    }
+    robot.run(60);
+    EXPECT_EQ(robot.position()[0], 0.05);
+    robot.give(jog(0, 0.3));
+    EXPECT_EQ(robot.last_error(), ErrorCode::none);
+  }
+}
+
 TEST(OperatorMotion, RobotOfAPausedTaskJogsAndItsHoldsAreAnswered) {
   Operated robot;
   hold_for(robot, 5);

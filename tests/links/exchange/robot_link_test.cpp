@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cstring>
 #include <limits>
 #include <thread>
@@ -27,6 +28,15 @@ struct RobotPair {
     RobotState answered;
     answered.joints = JointVector::Constant(6, value);
     EXPECT_TRUE(edp.reply(answered, sequence));
+  }
+
+  /// The first exchange, whose reply may take longer.
+  void begin() {
+    ecp.send({});
+    clock.next_delta();
+    answer(0);
+    clock.next_delta();
+    ecp.receive(state);
   }
 
   TestDomain net;
@@ -100,6 +110,34 @@ TEST(RobotLink, WaitsForTheReply) {
   }
 }
 
+/// The EDP answers only after `timeout`.
+TEST(RobotLink, WaitsLongerForTheFirstReplyAndForWhatTakesLong) {
+  RobotPair pair(false, 20);
+  const auto late_reply = [&](RobotCommand command) {
+    pair.ecp.send(command);
+    std::thread edp([&] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(200));
+      pair.answer(1);
+    });
+    const auto wait = [&] { pair.ecp.receive(pair.state); };
+    const ErrorCode code = code_of(wait, "arm_edp");
+    edp.join();
+    if (code != ErrorCode::none) {
+      EXPECT_NO_THROW(wait());  // it is there now
+    }
+    return code;
+  };
+  RobotCommand query, recover, synchronise, command;
+  recover.kind = CommandKind::recover;
+  synchronise.kind = CommandKind::synchronise;
+  EXPECT_EQ(late_reply(query), ErrorCode::none) << "the first one: the drives are switched on";
+  EXPECT_EQ(late_reply(query), ErrorCode::process_silent);
+  EXPECT_EQ(late_reply(recover), ErrorCode::none);
+  EXPECT_EQ(late_reply(synchronise), ErrorCode::none);
+  command.kind = CommandKind::hold;
+  EXPECT_EQ(late_reply(command), ErrorCode::process_silent);
+}
+
 TEST(RobotLink, DropsRepliesToOtherRequests) {
   RobotPair pair;
   RawWriter<RobotState> late(pair.net.domain, "t/arm/state");
@@ -124,9 +162,10 @@ TEST(RobotLink, DropsRepliesToOtherRequests) {
 TEST(RobotLink, DropsAMalformedReply) {
   RobotPair pair(false, 50);
   RawWriter<RobotState> writer(pair.net.domain, "t/arm/state");
+  pair.begin();
   pair.ecp.send({});
   auto wire = wire_of(RobotState{});
-  wire.header.number = 1;
+  wire.header.number = 2;
   wire.header.boot = wire.header.answers = pair.net.domain.boot();
   wire.enabled = 2;
   writer.write(wire);
@@ -148,6 +187,7 @@ TEST(RobotLink, OvertakenRequestIsNotAnswered) {
 
 TEST(RobotLink, SilenceIsAnErrorInRealTime) {
   RobotPair pair(false, 20);
+  pair.begin();
   pair.ecp.send({});
   EXPECT_EQ(code_of([&] { pair.ecp.receive(pair.state); }, "arm_edp has not answered on topic t/arm/state"),
             ErrorCode::process_silent);
@@ -155,6 +195,7 @@ TEST(RobotLink, SilenceIsAnErrorInRealTime) {
 
 TEST(RobotLink, ReplyIsDueAtTheTickOfTheCommand) {
   RobotPair pair(false, 0);
+  pair.begin();
   RobotCommand command;
   command.kind = CommandKind::hold;
   command.start_tick = pair.clock.tick() + 20;
@@ -166,6 +207,7 @@ TEST(RobotLink, ReplyIsDueAtTheTickOfTheCommand) {
 
 TEST(RobotLink, DeadlineAlsoAppliesInSimulatedTime) {
   RobotPair pair(true, 0);
+  pair.begin();
   pair.ecp.send({});
   try {
     pair.ecp.receive(pair.state);

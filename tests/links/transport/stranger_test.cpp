@@ -44,6 +44,9 @@ ErrorCode fate(const fs::path& keys, const std::function<std::string(const Guid&
   std::optional<Guid> writer;
   EXPECT_TRUE(
       eventually([&] { return (writer = foreign_writer(domain.participant(), "cell/arm/state")).has_value(); }));
+  RobotState first;  // its reply may take longer
+  link.send({});
+  link.receive(first);
   return code_of(
       [&] {
         for (std::uint32_t i = 0; i < (keys.empty() ? 50 * kExchanges : kExchanges); ++i) {
