@@ -74,7 +74,7 @@ class Task {
   /// The speed that the operator wants, as a fraction of the programmed one: above 0, at most 1.
   virtual double operator_speed() const noexcept { return 1; }
   /// True once for each trigger that the operator gave.
-  virtual bool take_trigger() noexcept = 0;
+  virtual bool take_trigger() = 0;
   /// Receives every step; may be null. It must neither allocate nor block.
   virtual StepObserver* observer() noexcept = 0;
 

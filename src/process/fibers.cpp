@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <semaphore>
+#include <string>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -30,6 +32,7 @@ struct FiberScheduler::Fiber {
   clock::Wake wake = clock::Wake::mail;  // the reason why its wait ends
   Tick wake_tick = kNever;               // of its wait
   bool ended = false;
+  bool unused = false;  // another one could not be made
   std::exception_ptr error;
   std::jthread thread;  // last: it is joined before the others go
 };
@@ -40,18 +43,27 @@ void FiberScheduler::run(const std::vector<std::function<void()>>& bodies) {
   if (running_ != nullptr)
     throw NonFatalError(ErrorCode::invalid_argument, "a fiber cannot have fibers: give them all to one call");
   std::vector<std::unique_ptr<Fiber>> fibers;
-  for (const auto& body : bodies) {
-    Fiber& fiber = *fibers.emplace_back(std::make_unique<Fiber>());
-    fiber.thread = std::jthread([&fiber, &body] {
-      fiber.go.acquire();
-      try {
-        body();
-      } catch (...) {
-        fiber.error = std::current_exception();
-      }
-      fiber.ended = true;
-      fiber.done.release();
-    });
+  try {
+    for (const auto& body : bodies) {
+      Fiber& fiber = *fibers.emplace_back(std::make_unique<Fiber>());
+      fiber.thread = std::jthread([&fiber, &body] {
+        fiber.go.acquire();
+        if (fiber.unused) return;
+        try {
+          body();
+        } catch (...) {
+          fiber.error = std::current_exception();
+        }
+        fiber.ended = true;
+        fiber.done.release();
+      });
+    }
+  } catch (const std::system_error& error) {
+    for (const auto& fiber : fibers) {
+      fiber->unused = true;
+      fiber->go.release();
+    }
+    throw SystemError(ErrorCode::resources, "a thread for a part of the task: " + std::string{error.what()});
   }
   error_ = nullptr;
   take_turns(fibers);

@@ -278,7 +278,7 @@ double TaskProcess::put_question(links::OperatorQuestion question, const std::st
   return dialogue_.ask(question, text, [this] { return may_go_on(); });
 }
 
-bool TaskProcess::take_trigger() noexcept {
+bool TaskProcess::take_trigger() {
   read_superior();
   if (triggers_ == 0) return false;
   --triggers_;

@@ -75,7 +75,7 @@ class TaskProcess : public Task {
   void sleep_until(Tick tick) override;
   OperatorRequest operator_request() override;
   double operator_speed() const noexcept override { return speed_; }
-  bool take_trigger() noexcept override;
+  bool take_trigger() override;
   StepObserver* observer() noexcept override { return reporter_.get(); }
   TrajectoryLink* trajectory_link() noexcept override { return &trajectories_; }
 

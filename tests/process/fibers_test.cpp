@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <fstream>
 
 #include "mrroc/errors.hpp"
 #include "mrroc/stopped.hpp"
@@ -122,6 +126,27 @@ TEST_F(Fibers, FirstErrorStopsTheOthersAndIsThrown) {
   clock.run({[&] { ++ran; }, [&] { ++ran; }});
   EXPECT_EQ(ran, 2);
 }
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // they need address space of their own
+TEST_F(Fibers, ThreadThatCannotBeMadeIsAnError) {
+  const auto run_without_memory = [this] {
+    int ran = 0;
+    const std::vector<std::function<void()>> bodies(300, [&ran] { ++ran; });
+    std::size_t pages = 0;
+    std::ifstream("/proc/self/statm") >> pages;
+    const rlim_t size = pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)) + (rlim_t{512} << 20);
+    const rlimit limit{size, size};
+    setrlimit(RLIMIT_AS, &limit);
+    try {
+      clock.run(bodies);
+    } catch (const SystemError& error) {
+      _exit(error.code() == ErrorCode::resources && ran == 0 ? 0 : 1);
+    }
+    _exit(2);
+  };
+  EXPECT_EXIT(run_without_memory(), testing::ExitedWithCode(0), "");
+}
+#endif
 
 TEST_F(Fibers, InterruptedClockInterruptsEachOfThem) {
   int stopped = 0;

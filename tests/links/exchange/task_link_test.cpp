@@ -77,5 +77,25 @@ TEST(TaskLink, WhatComesBetweenTwoLooksIsAllTakenInOrder) {
   EXPECT_EQ(ecp.counters().overwritten + mp.counters().overwritten, 0U);
 }
 
+TEST(TaskLink, KeepsMoreThanAMailboxHoldsAndReportsWhatIsLost) {
+  TestDomain net;
+  TestClock clock;
+  TaskSubordinate ecp(net.domain, clock, "t/arm");
+  TaskSuperior mp(net.domain, clock, "t/arm", "arm");
+  mp.connect(kPatience);
+  TaskCommand command;
+  mp.send(TaskCommandKind::start);
+  for (std::size_t i = 1; i < TaskSubordinate::kDepth; ++i) mp.send(TaskCommandKind::message);
+  for (std::size_t i = 0; i < TaskSubordinate::kDepth; ++i) {
+    ASSERT_TRUE(ecp.take(command)) << i;
+    EXPECT_EQ(command.kind, i == 0 ? TaskCommandKind::start : TaskCommandKind::message);
+  }
+  EXPECT_FALSE(ecp.take(command));
+  mp.send(TaskCommandKind::start);
+  for (std::size_t i = 0; i < TaskSubordinate::kDepth; ++i) mp.send(TaskCommandKind::message);
+  EXPECT_THROW(ecp.take(command), NonFatalError) << "the start is lost";
+  EXPECT_TRUE(ecp.take(command)) << "it is reported once";
+}
+
 }  // namespace
 }  // namespace mrroc::links
