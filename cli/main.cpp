@@ -31,6 +31,7 @@ int fail(ExitCode code, const std::exception& error) {
 
 int main(int argc, char** argv) {
   mrroc::process::open_standard_files();
+  signal(SIGCHLD, SIG_DFL);  // ignored, it would be inherited, and no child could be waited for
   signal(SIGXFSZ, SIG_IGN);  // a file size limit is an error of the write
   try {
     CLI::App app;

@@ -5,6 +5,8 @@
 
 #include "cli/commands/errors_option.hpp"
 #include "cli/processes/ask_programs.hpp"
+#include "cli/processes/process_plan.hpp"
+#include "cli/run/fault_injector.hpp"
 #include "cli/run/runner.hpp"
 #include "command/number_option.hpp"
 #include "command/print.hpp"
@@ -74,6 +76,7 @@ int run(const RunArguments& arguments) {
   RunOptions options = arguments.options;
   options.text = config::with_calibrations(file, source.text);  // read once: a calibration may be written meanwhile
   options.attended = !source.from_stdin;
+  options.events = arguments.events;
   deployment.clock = config::clock_named(arguments.clock).value_or(deployment.clock);
   if (!arguments.events.empty()) deployment.events = config::load_events(arguments.events, deployment);
   check_hosts(deployment, arguments, source);
@@ -84,10 +87,18 @@ int run(const RunArguments& arguments) {
     options.behaviours = config::to_text(programs);
   }
   if (arguments.check) {
+    check_targets(faults::FaultPlan(options.faults), plan_processes(deployment), deployment);
     command::print(config::describe(deployment) + "\n");
     return 0;
   }
   return static_cast<int>(Runner(deployment, options).run());
+}
+
+/// As `--record "$FILE"` without FILE would be none.
+CLI::Validator not_empty() {
+  return {
+      [](const std::string& text) { return std::string{text.empty() ? "is empty, expected the name of a file" : ""}; },
+      ""};
 }
 
 void add_panel_options(CLI::App& command, RunArguments& arguments) {
@@ -122,8 +133,10 @@ void add_run_command(CLI::App& app, int& exit_code) {
   command->add_option("FILE", arguments->file, "Deployment file (TOML)")->required();
   command->add_option("--clock", arguments->clock, "Clock instead of the deployment's")
       ->check(CLI::IsMember(config::clock_names()));
-  command->add_option("--record,--trace", arguments->options.recording,
-                      "Record every step, state, reading and command to this MCAP file (docs/reference/recording.md)");
+  command
+      ->add_option("--record,--trace", arguments->options.recording,
+                   "Record every step, state, reading and command to this MCAP file (docs/reference/recording.md)")
+      ->check(not_empty());
   command
       ->add_option_function<std::string>(
           "--record-rate",
@@ -141,11 +154,13 @@ void add_run_command(CLI::App& app, int& exit_code) {
       ->add_option("--black-box", arguments->options.black_box,
                    "Folder for the last steps of a task that fails, one file for each; empty: none")
       ->capture_default_str();
-  command->add_option("--snapshots", arguments->options.snapshots,
-                      "Write states of the simulated world to this folder");
-  command->add_option("--motion", arguments->options.motion,
-                      "Write where the simulated world's robots are at every tick, and how fast, to this file; of a "
-                      "simulator on another host it lies there");
+  command->add_option("--snapshots", arguments->options.snapshots, "Write states of the simulated world to this folder")
+      ->check(not_empty());
+  command
+      ->add_option("--motion", arguments->options.motion,
+                   "Write where the simulated world's robots are at every tick, and how fast, to this file; of a "
+                   "simulator on another host it lies there")
+      ->check(not_empty());
   command
       ->add_option(
           "--inject", arguments->options.faults,
@@ -162,10 +177,14 @@ void add_run_command(CLI::App& app, int& exit_code) {
                                      "Seed of these errors; 1 when left out")
       ->needs(errors);
   command->add_flag("--hold", arguments->options.hold, "The task waits for the operator's 'start'");
-  command->add_option("--events", arguments->events,
-                      "Operator commands at given ticks, [[events]], instead of the deployment's");
-  command->add_option("--note-events", arguments->options.note_events,
-                      "Write the operator's commands, each with its tick, to this file for --events");
+  command
+      ->add_option("--events", arguments->events,
+                   "Operator commands at given ticks, [[events]], instead of the deployment's")
+      ->check(not_empty());
+  command
+      ->add_option("--note-events", arguments->options.note_events,
+                   "Write the operator's commands, each with its tick, to this file for --events")
+      ->check(not_empty());
   add_panel_options(*command, *arguments);
   command->add_flag("--ros2", arguments->options.ros2,
                     "Show the run to ROS 2 as a node, as the deployment's table [ros2] does");

@@ -7,10 +7,19 @@
 #include <cerrno>
 #include <cstring>
 #include <stdexcept>
+#include <string_view>
 
 #include "cli/hosts/agent_protocol.hpp"
+#include "command/replaceable.hpp"
 
 namespace mrroc::cli {
+
+namespace {
+
+/// What the files of a run begin with.
+constexpr std::string_view kRecording = "\x89MCAP0\r\n", kMotion = "# limits ", kNotes = "[[events]]";
+
+}  // namespace
 
 process::ClaimedFile claim_live(const std::filesystem::path& path, const std::string& option, const std::string& what) {
   struct stat status {};
@@ -22,19 +31,23 @@ process::ClaimedFile claim_live(const std::filesystem::path& path, const std::st
 
 Outputs::Outputs(const RunOptions& options, const config::Deployment& deployment, const RecordingOutput::Wait& wait) {
   for (const auto& [key, file] : input_files(deployment)) known_.emplace_back(key, process::identity_of(file));
+  if (!options.events.empty()) known_.emplace_back("--events", process::identity_of(options.events));
   const bool remote = deployment.sim && !deployment.sim->host.empty();
   if (!options.motion.empty() && !remote) {
     check_apart("--motion", options.motion);
+    check_replaceable("--motion", options.motion, kMotion, "a motion file");
     known_.emplace_back("--motion",
                         motion_.emplace(claim_live(options.motion, "--motion", "the motion file")).identity());
   }
   if (!options.note_events.empty()) {
     check_apart("--note-events", options.note_events);
+    check_replaceable("--note-events", options.note_events, kNotes, "noted events");
     notes_.emplace(claim_live(options.note_events, "--note-events", "the noted events"));
     known_.emplace_back("--note-events", notes_->identity());
   }
   if (!options.recording.empty()) {
     check_apart("--record", options.recording);
+    check_replaceable("--record", options.recording, kRecording, "a recording");
     record_last_ = options.record_last.has_value();
     recording_.emplace(options.recording, deployment.start_timeout, wait);
     if (!recording_->opened()) return;
@@ -48,6 +61,11 @@ Outputs::Outputs(const RunOptions& options, const config::Deployment& deployment
                                std::strerror(errno));
   }
   if (!options.black_box.empty()) check_apart("--black-box", options.black_box);
+}
+
+void Outputs::check_replaceable(const std::string& option, const std::filesystem::path& path,
+                                std::string_view beginning, const std::string& kind) {
+  if (process::named_descriptor(path) < 0) command::check_replaceable(path, beginning, option, kind);
 }
 
 void Outputs::check_apart(const std::string& option, const std::filesystem::path& path) const {

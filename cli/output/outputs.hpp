@@ -36,6 +36,9 @@ class Outputs {
   void pass_on_recording(const RecordingOutput::Continue& go_on);
 
  private:
+  /// Throws std::runtime_error when the file holds something else than the option writes: an input would be lost.
+  static void check_replaceable(const std::string& option, const std::filesystem::path& path,
+                                std::string_view beginning, const std::string& kind);
   void check_apart(const std::string& option, const std::filesystem::path& path) const;
 
   std::vector<std::pair<std::string, process::FileIdentity>> known_;  // files that no further output may be

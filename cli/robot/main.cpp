@@ -30,6 +30,7 @@ int report(ExitCode code, const std::exception& error) {
 int main(int argc, char** argv) {
   namespace cli = mrroc::cli;
   mrroc::process::open_standard_files();
+  signal(SIGCHLD, SIG_DFL);  // ignored, it would be inherited, and no child could be waited for
   signal(SIGXFSZ, SIG_IGN);  // a file size limit is an error of the write
   bool passed = true;
   try {

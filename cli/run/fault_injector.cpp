@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "clock/wall/monotonic.hpp"
+#include "config/entries/robot_orders.hpp"
 
 namespace mrroc::cli {
 
@@ -39,15 +40,25 @@ const PlannedProcess& find(const faults::InjectedFault& fault, const std::vector
 
 }  // namespace
 
-FaultInjector::FaultInjector(const std::vector<std::string>& texts, const std::vector<PlannedProcess>& plan,
-                             clock::ClockHost& clock, const ProcessGroup& group, bool simulated,
-                             std::function<void(const std::string&)> show)
-    : plan_(texts), clock_(clock), group_(group), simulated_(simulated), show_(std::move(show)) {
-  for (const faults::InjectedFault& fault : plan_.all()) {
+void check_targets(const faults::FaultPlan& faults, const std::vector<PlannedProcess>& plan,
+                   const config::Deployment& deployment) {
+  for (const faults::InjectedFault& fault : faults.all()) {
     find(fault, plan, fault.process);
     if (fault.at_step && !find(fault, plan, fault.counter).has_task)
       refuse(fault, "'" + fault.counter + "' counts no steps, expected mp or the name of a robot");
+    for (const config::RobotEntry& robot : deployment.robots) {
+      if (robot.edp_process() != fault.process) continue;
+      const std::size_t axes = config::parameters_of(robot).axes.size();
+      if (fault.axis >= axes) refuse(fault, robot.name + " has " + std::to_string(axes) + " axes");
+    }
   }
+}
+
+FaultInjector::FaultInjector(const std::vector<std::string>& texts, const std::vector<PlannedProcess>& plan,
+                             const config::Deployment& deployment, clock::ClockHost& clock, const ProcessGroup& group,
+                             bool simulated, std::function<void(const std::string&)> show)
+    : plan_(texts), clock_(clock), group_(group), simulated_(simulated), show_(std::move(show)) {
+  check_targets(plan_, plan, deployment);
 }
 
 void FaultInjector::schedule() {

@@ -10,19 +10,25 @@
 #include "cli/processes/process_group.hpp"
 #include "cli/processes/process_plan.hpp"
 #include "clock/host.hpp"
+#include "config/deployment.hpp"
 #include "faults/fault_plan.hpp"
 
 namespace mrroc::cli {
+
+/// Throws std::invalid_argument when a fault names a process that does not exist or is on another host, or an axis that
+/// its robot does not have, or counts the steps of a process without steps.
+void check_targets(const faults::FaultPlan& faults, const std::vector<PlannedProcess>& plan,
+                   const config::Deployment& deployment);
 
 /// Injects a run's faults that are the runner's task: triggers those of a tick, sends the signals to processes, and
 /// reports each injected fault. Main thread; the clock's thread sends the signals.
 class FaultInjector {
  public:
   /// Parses the faults. `show` displays a line to the operator. References must outlive it. Throws
-  /// std::invalid_argument when a fault is invalid, names a process that does not exist or is on another host, or
-  /// counts the steps of a process without steps.
-  FaultInjector(const std::vector<std::string>& texts, const std::vector<PlannedProcess>& plan, clock::ClockHost& clock,
-                const ProcessGroup& group, bool simulated, std::function<void(const std::string& line)> show);
+  /// std::invalid_argument when a fault is invalid, and as `check_targets`.
+  FaultInjector(const std::vector<std::string>& texts, const std::vector<PlannedProcess>& plan,
+                const config::Deployment& deployment, clock::ClockHost& clock, const ProcessGroup& group,
+                bool simulated, std::function<void(const std::string& line)> show);
 
   /// Call it when all processes have been started, before the clock.
   void schedule();

@@ -19,6 +19,7 @@ struct RunOptions {
   std::filesystem::path snapshots;    ///< folder for world snapshots; empty: none
   std::filesystem::path motion;       ///< file for the motion of the simulated world's robots; empty: none
   std::filesystem::path note_events;  ///< file for the operator's commands, as [[events]]; empty: none
+  std::filesystem::path events;       ///< file of [[events]] that has been read; empty: the deployment's
   std::vector<std::string> faults;    ///< to be injected: faults::parse_fault
   std::string behaviours;             ///< behaviours of the ECP programs, for a state machine (config::ProgramsByRobot)
   std::string text;                   ///< of the deployment, as it was read

@@ -71,7 +71,7 @@ Runner::Runner(const config::Deployment& deployment, RunOptions options)
       clock_(clock_options(deployment_, names_of(processes_on("", plan_)))),
       operator_clock_(clock_.operator_clock()),
       group_([this](const std::string& name, const std::string& line) { progress_.message(name + " | " + line); }),
-      faults_(options_.faults, plan_, clock_, group_, deployment_.clock != config::ClockMode::real,
+      faults_(options_.faults, plan_, deployment_, clock_, group_, deployment_.clock != config::ClockMode::real,
               [this](const std::string& line) { progress_.message(line); }),
       service_(deployment_),
       supervisor_({deployment_, plan_, clock_, *operator_clock_, group_, faults_, black_boxes_, progress_, service_}),

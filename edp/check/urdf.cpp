@@ -29,20 +29,25 @@ Urdf::Type type_of(const UrdfReader& reader, const XMLElement& element) {
 }
 
 Eigen::Vector3d read_axis(const UrdfReader& reader, const XMLElement& element) {
+  reader.only(element, {"xyz"});
   const Eigen::Vector3d axis = reader.numbers<3>(element, "xyz", Eigen::Vector3d::UnitX());
   const double length = axis.norm();
   if (!(length > kShortestAxis) || !std::isfinite(length)) reader.fail(element, "xyz", "no direction", "a vector");
   return axis.normalized();
 }
 
-/// The range of a continuous joint has no meaning.
+/// The range of a continuous joint has no meaning. A <limit> without lower and upper is an incomplete one, no range of
+/// 0.
 void read_limit(const UrdfReader& reader, const XMLElement& element, Urdf::Limits limits, Urdf::Joint& joint) {
   const bool required = limits == Urdf::Limits::required;
   joint.limit_line = element.GetLineNum();
   for (const auto& [name, value] : {std::pair{"lower", &joint.lower}, {"upper", &joint.upper}}) {
     if (joint.type == Urdf::Type::continuous) continue;
     *value = reader.number(element, name);
-    if (required && !*value) *value = 0;
+  }
+  if (joint.type != Urdf::Type::continuous && (required || joint.lower || joint.upper)) {
+    joint.lower = joint.lower.value_or(0);
+    joint.upper = joint.upper.value_or(0);
   }
   joint.effort = required ? reader.required(element, "effort") : reader.number(element, "effort");
   joint.velocity = required ? reader.required(element, "velocity") : reader.number(element, "velocity");
@@ -51,14 +56,14 @@ void read_limit(const UrdfReader& reader, const XMLElement& element, Urdf::Limit
 
 /// The elements that only a moving joint has. Defaults and what is required: http://wiki.ros.org/urdf/XML/joint.
 void read_motion(const UrdfReader& reader, const XMLElement& element, Urdf::Limits limits, Urdf::Joint& joint) {
-  if (const XMLElement* axis = element.FirstChildElement("axis")) joint.axis = read_axis(reader, *axis);
-  const XMLElement* limit = element.FirstChildElement("limit");
+  if (const XMLElement* axis = reader.optional_child(element, "axis")) joint.axis = read_axis(reader, *axis);
+  const XMLElement* limit = reader.optional_child(element, "limit");
   if (limit == nullptr && joint.type != Urdf::Type::continuous && limits == Urdf::Limits::required)
     reader.fail(element, "name=" + in_quotes(joint.name), "no <limit>", "one with effort and velocity");
   if (limit != nullptr) read_limit(reader, *limit, limits, joint);
-  if (const XMLElement* dynamics = element.FirstChildElement("dynamics"))
+  if (const XMLElement* dynamics = reader.optional_child(element, "dynamics"))
     for (const char* name : {"damping", "friction"}) reader.number(*dynamics, name);
-  if (const XMLElement* mimic = element.FirstChildElement("mimic")) {
+  if (const XMLElement* mimic = reader.optional_child(element, "mimic")) {
     joint.mimic = Urdf::Mimic{.joint = reader.text(*mimic, "joint"),
                               .multiplier = reader.number(*mimic, "multiplier").value_or(1),
                               .offset = reader.number(*mimic, "offset").value_or(0)};

@@ -36,8 +36,15 @@ std::string UrdfReader::text(const Element& element, const char* name) const {
   return value;
 }
 
+const UrdfReader::Element* UrdfReader::optional_child(const Element& element, const char* name) const {
+  const Element* const found = element.FirstChildElement(name);
+  const Element* const second = found != nullptr ? found->NextSiblingElement(name) : nullptr;
+  if (second != nullptr) fail(*second, "", "a second one", "one");
+  return found;
+}
+
 const UrdfReader::Element& UrdfReader::child(const Element& element, const char* name) const {
-  const Element* found = element.FirstChildElement(name);
+  const Element* found = optional_child(element, name);
   if (found == nullptr) fail(element, "", std::string("no <") + name + ">", "one");
   return *found;
 }
@@ -50,7 +57,7 @@ std::vector<double> UrdfReader::all_numbers(const Element& element, const char* 
       blanks.begin(), blanks.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
   const std::vector<std::string_view> words = core::words_of(blanks);
   const std::string expected = size == 1 ? "a number" : std::to_string(size) + " numbers with blanks between";
-  if (blanks.find("${") != std::string::npos)
+  if (blanks.find("${") != std::string::npos || blanks.find("$(") != std::string::npos)
     fail(element, name, in_quotes(value) + " is a xacro expression", kExpanded);
   std::vector<double> result;
   for (const std::string_view word : words) {
@@ -76,9 +83,19 @@ double UrdfReader::required(const Element& element, const char* name) const {
   return *value;
 }
 
+void UrdfReader::only(const Element& element, const std::vector<std::string>& names) const {
+  for (auto* each = element.FirstAttribute(); each != nullptr; each = each->Next()) {
+    const std::string name = each->Name();
+    const bool foreign = name.find(':') != std::string::npos;  // of another namespace
+    if (!foreign && std::find(names.begin(), names.end(), name) == names.end())
+      fail(element, name, "is unknown", config::alternatives(names));
+  }
+}
+
 Pose UrdfReader::origin(const Element& element) const {
-  const Element* const origin = element.FirstChildElement("origin");
+  const Element* const origin = optional_child(element, "origin");
   if (origin == nullptr) return Pose::Identity();
+  only(*origin, {"xyz", "rpy"});  // a misspelt one would put the link elsewhere
   const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
   return pose_from_rpy(numbers<3>(*origin, "xyz", zero), numbers<3>(*origin, "rpy", zero));
 }

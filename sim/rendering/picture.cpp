@@ -4,8 +4,10 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "command/replaceable.hpp"
 #include "command/write_file.hpp"
 #include "mrroc/errors.hpp"
 
@@ -26,6 +28,8 @@ std::vector<std::byte> encode_png(const Picture& picture) {
 }
 
 void write_png(const std::filesystem::path& file, const Picture& picture) {
+  constexpr std::string_view kSignature = "\x89PNG\r\n\x1a\n";
+  command::check_replaceable(file, kSignature, "the picture", "a picture");
   // encoded in memory: libpng would remove an unwritable output file, even a device
   command::write_file(file, encode_png(picture));
 }

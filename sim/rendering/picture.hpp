@@ -17,7 +17,8 @@ struct Picture {
 /// The bytes of a PNG file. Throws SystemError (resources).
 std::vector<std::byte> encode_png(const Picture& picture);
 
-/// Throws SystemError (resources) when the file cannot be written.
+/// Throws std::runtime_error when the file holds something else than a picture, SystemError (resources) when it cannot
+/// be written.
 void write_png(const std::filesystem::path& file, const Picture& picture);
 
 }  // namespace mrroc::sim

@@ -31,6 +31,11 @@ const CLI::App* verb_of(const CLI::App& app, const std::string& name) {
   return nullptr;
 }
 
+/// "-.5", which CLI11 takes for an option.
+bool is_short_negative(const std::string& word) {
+  return word.size() > 2 && word.starts_with("-.") && std::isdigit(static_cast<unsigned char>(word[2])) != 0;
+}
+
 /// CLI11 reports an unknown command as a missing one.
 void check_command(const CLI::App& app, const std::vector<std::string>& words) {
   if (words.empty() || words.front().starts_with('-')) return;
@@ -84,7 +89,7 @@ std::vector<std::string> words_of(CLI::App& app, const std::vector<std::string>&
       continue;
     }
     if (const CLI::App* const inner = verb_of(*verb, *word)) verb = inner;
-    result.push_back(*word);
+    result.push_back(is_short_negative(*word) ? "-0" + word->substr(1) : *word);
   }
   return result;
 }

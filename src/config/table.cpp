@@ -127,7 +127,7 @@ Table Table::load(const std::filesystem::path& file) { return parse(file, read_f
 Table Table::parse(const std::filesystem::path& file, const std::string& text) {
   check_lines(file, text);
   try {
-    const auto document = std::make_shared<const Document>(Document{file, toml::parse(text)});
+    const auto document = std::make_shared<const Document>(Document{file, toml::parse(core::without_dos_end(text))});
     return Table(std::make_shared<const Node>(Node{document, &document->root, "", 1, {}}));
   } catch (const toml::parse_error& error) {
     throw ConfigurationError(file, line_of(error.source()), "column " + std::to_string(error.source().begin.column),

@@ -54,9 +54,12 @@ std::string_view content_of_line(std::string_view raw, int number, std::size_t l
   return raw;
 }
 
-TextLines::TextLines(std::string_view text) : rest_(text) {
-  if (rest_.ends_with(kDosEnd)) rest_.remove_suffix(1);
+std::string_view without_dos_end(std::string_view text) noexcept {
+  if (text.ends_with(kDosEnd)) text.remove_suffix(1);
+  return text;
 }
+
+TextLines::TextLines(std::string_view text) : rest_(without_dos_end(text)) {}
 
 bool TextLines::next() {
   if (rest_.empty()) return false;

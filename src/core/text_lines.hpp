@@ -34,6 +34,9 @@ constexpr std::size_t kLongestLine = 10000;
 /// TextError.
 std::string_view content_of_line(std::string_view raw, int number, std::size_t longest = kLongestLine);
 
+/// The text without the byte 1Ah with which old editors end a file.
+std::string_view without_dos_end(std::string_view text) noexcept;
+
 /// Iterates over the lines of a text, which must outlive the iteration.
 class TextLines {
  public:

@@ -66,6 +66,18 @@ TEST(ParseCommand, ValueMayContainEqualSignsAndMayBeTheNextWord) {
   EXPECT_EQ(after.file, "--black-box=");
 }
 
+TEST(ParseCommand, NumberWithoutALeadingDigitIsNoOption) {
+  for (const auto& [word, number] :
+       {std::pair{"-.5", -0.5}, {"-.25e1", -2.5}, {".5", 0.5}, {"-0.5", -0.5}, {"-1.", -1.0}}) {
+    CLI::App app;
+    double value = 0;
+    app.add_option("VALUE", value);
+    std::vector<std::string> words = words_of(app, {word});
+    app.parse(std::move(words));
+    EXPECT_EQ(value, number) << word;
+  }
+}
+
 TEST(ParseCommand, FlagTakesNoValue) {
   for (const char* word : {"--quiet=", "--quiet=1", "--quiet=false", "--quiet=x"}) {
     Command options;

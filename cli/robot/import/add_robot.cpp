@@ -2,6 +2,8 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <set>
+
 #include "cli/robot/import/demo_command.hpp"
 #include "cli/robot/import/demo_files.hpp"
 #include "cli/robot/import/home.hpp"
@@ -25,6 +27,29 @@ namespace {
 
 constexpr double kArmatureOfInertia = 0.1, kLeastArmature = 1e-3;
 
+/// Of an imported type: what an import may replace.
+bool is_made(const std::string& name, const std::string& type) {
+  const std::set<std::string> made{type + ".toml",  type + ".urdf", type + ".xml", "demo.toml",
+                                   "external.toml", "demo.xml",     "meshes"};
+  return made.contains(name);
+}
+
+/// Throws when the folder holds anything that an import does not make, or one of its inputs: it would be lost.
+void check_replaced(const fs::path& folder, const std::string& type, const AddRequest& request) {
+  std::error_code none;
+  std::set<std::string> found;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) found.insert(entry.path().filename());
+  for (const std::string& name : found)
+    if (!is_made(name, type))
+      throw ConfigurationError(folder, 0, "--replace", "holds " + in_quotes(name) + ", which no import makes",
+                               "the folder of an imported type and nothing else");
+  for (const fs::path& input : {request.urdf, request.limits})
+    for (fs::path above = fs::weakly_canonical(input, none); !input.empty() && above.has_relative_path();
+         above = above.parent_path())
+      if (fs::equivalent(above, folder, none))
+        throw ConfigurationError(input, 0, "--replace", "lies in the folder that is replaced", "a file elsewhere");
+}
+
 /// The type's name and folder. Throws for a name that is not one, a folder that exists, an installed type.
 fs::path target_of(const AddRequest& request, const std::string& type) {
   if (type != type_name(type))
@@ -33,6 +58,7 @@ fs::path target_of(const AddRequest& request, const std::string& type) {
   fs::path folder = fs::absolute(request.into.empty() ? config::user_share() / "robots" : request.into) / type;
   if (fs::exists(folder) && !request.replace)
     throw ConfigurationError(folder, 0, "", "exists", "another --name, or --replace");
+  if (fs::exists(folder)) check_replaced(folder, type, request);
   const fs::path installed = config::type_file("robots", type, type + ".toml");
   std::error_code none;
   if (fs::is_regular_file(installed, none) && !fs::equivalent(installed.parent_path(), folder, none))

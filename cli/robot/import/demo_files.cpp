@@ -6,14 +6,20 @@ namespace mrroc::cli {
 
 namespace {
 
-constexpr double kPedestal = 0.7;  // height, of the reach
-constexpr double kGap = 0.01;      // m, from the pedestal to the base: shapes of links may reach below it
+constexpr double kPedestal = 0.7;         // height, of the reach
+constexpr std::size_t kLongestName = 31;  // of a deployment
+constexpr double kGap = 0.01;             // m, from the pedestal to the base: shapes of links may reach below it
+
+/// The name of a deployment is short, that of a type need not be.
+std::string deployment_name(const std::string& type, const std::string& program) {
+  return type.substr(0, kLongestName - 1 - program.size()) + "_" + program;
+}
 
 /// With the arm on its pedestal; `program`: of the stock programs mrroc_arm_...
 std::string deployment(const std::string& type, double reach, const char* program, const char* clock,
                        const char* more) {
   return fmt::format(R"([deployment]
-name = "{0}_{1}"
+name = "{5}"
 clock = "{2}"
 
 [robots.arm]
@@ -25,7 +31,7 @@ position = [0.0, 0.0, {3:.3f}]  # m; the pedestal's height
 {4}[sim]
 scene = "demo.xml"
 )",
-                     type, program, clock, demo_height(reach), more);
+                     type, program, clock, demo_height(reach), more, deployment_name(type, program));
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ class BodyReader {
     UrdfBody body;
     body.name = reader_.text(link, "name");
     body.line = link.GetLineNum();
-    if (const UrdfElement* inertial = link.FirstChildElement("inertial")) body.inertial = inertial_of(*inertial);
+    if (const UrdfElement* inertial = reader_.optional_child(link, "inertial")) body.inertial = inertial_of(*inertial);
     for (const auto& [tag, shapes] : {std::pair{"visual", &body.visuals}, {"collision", &body.collisions}})
       for (auto* each = link.FirstChildElement(tag); each != nullptr; each = each->NextSiblingElement(tag))
         shapes->push_back(shape_of(*each));
@@ -54,8 +54,9 @@ class BodyReader {
     UrdfInertial inertial;
     inertial.line = element.GetLineNum();
     inertial.origin = reader_.origin(element);
-    if (const UrdfElement* mass = element.FirstChildElement("mass")) inertial.mass = reader_.required(*mass, "value");
-    const UrdfElement* const inertia = element.FirstChildElement("inertia");
+    if (const UrdfElement* mass = reader_.optional_child(element, "mass"))
+      inertial.mass = reader_.required(*mass, "value");
+    const UrdfElement* const inertia = reader_.optional_child(element, "inertia");
     if (inertia == nullptr) return inertial;
     const auto entry = [&](const char* name) { return reader_.number(*inertia, name).value_or(0); };
     const double xy = entry("ixy"), xz = entry("ixz"), yz = entry("iyz");

@@ -80,9 +80,15 @@ std::string problem_of(tinyxml2::XMLError error) {
 void read_xml(const std::filesystem::path& file, const std::string& kind, tinyxml2::XMLDocument& document) {
   if (const std::string problem = reading_problem(file); !problem.empty())
     throw ConfigurationError(file, 0, "", problem, kind);
-  const std::string text = read_file(file);
+  const std::string content = read_file(file);
+  const std::string_view text = core::without_dos_end(content);
   check_text(file, text);
-  if (document.Parse(text.data(), text.size()) == tinyxml2::XML_SUCCESS) return;
+  if (document.Parse(text.data(), text.size()) == tinyxml2::XML_SUCCESS) {
+    const tinyxml2::XMLElement* const root = document.RootElement();
+    if (const auto* second = root != nullptr ? root->NextSiblingElement() : nullptr)
+      throw ConfigurationError(file, second->GetLineNum(), "", "a second element outside of the first", "one element");
+    return;
+  }
   const int declaration = late_declaration(text);
   if (document.ErrorID() == tinyxml2::XML_ERROR_PARSING_DECLARATION && declaration > 0)
     throw ConfigurationError(file, declaration, "", "the declaration <?xml ...?> is not at the beginning of the file",

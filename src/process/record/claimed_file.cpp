@@ -97,6 +97,8 @@ ClaimedFile::ClaimedFile(std::filesystem::path path, const std::string& what) : 
     struct stat status {};
     if (own_) {
       fd_ = ::open(path_.c_str(), kToWrite, kMode);
+    } else if (const int closed = fcntl(named, F_GETFD); closed < 0 || (closed & FD_CLOEXEC) != 0) {
+      refuse(what, "is not open");  // or is one of this program's own
     } else if (const int flags = fcntl(named, F_GETFL); flags < 0 || (flags & O_ACCMODE) == O_RDONLY) {
       refuse(what, flags < 0 ? std::strerror(errno) : "is not open for writing");
     } else if (fstat(named, &status) == 0 && (S_ISREG(status.st_mode) || S_ISSOCK(status.st_mode))) {

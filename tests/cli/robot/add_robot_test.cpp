@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 #include <random>
 #include <regex>
 #include <sstream>
@@ -11,6 +12,7 @@
 #include "cli/robot/type/check_type.hpp"
 #include "cli/robot/urdf_arm.hpp"
 #include "config/resources.hpp"
+#include "config/robot_parameters_file.hpp"
 #include "config/table.hpp"
 #include "mrroc/testing/scratch_folder.hpp"
 #include "robots/arm/arm_model.hpp"
@@ -230,9 +232,69 @@ TEST_F(AddRobot, KeepsAFolderThatExists) {
   EXPECT_NE(result_of(add).find("parallel: exists, expected another --name, or --replace"), std::string::npos);
   EXPECT_EQ(names_in(add.into / "parallel"), std::vector<std::string>{"own.txt"});
   add.replace = true;
-  add_robot(add);
-  EXPECT_FALSE(fs::exists(own));
+  EXPECT_NE(result_of(add).find("holds 'own.txt', which no import makes"), std::string::npos);
+  EXPECT_EQ(text_of(own), "mine");
   EXPECT_EQ(names_in(add.into), std::vector<std::string>{"parallel"});
+}
+
+// a folder is replaced as a whole
+TEST_F(AddRobot, ReplacesNoFolderWithOtherFilesNorItsOwnInput) {
+  AddRequest add = request(MRROC_SOURCE_DIR "/docs/examples/reacher/reacher.urdf");
+  add.accept_guesses = true;
+  add_robot(add);
+  add.replace = true;
+  EXPECT_NO_THROW(add_robot(add));
+  const fs::path folder = add.into / "reacher";
+  const std::vector<std::string> made = names_in(folder);
+  for (const char* name : {"thesis.txt", "reacher_drives.toml", "limits.toml"}) {
+    std::ofstream(folder / name) << "mine";
+    EXPECT_THROW(add_robot(add), config::ConfigurationError) << name;
+    EXPECT_EQ(text_of(folder / name), "mine");
+    fs::remove(folder / name);
+  }
+  AddRequest from_inside = add;
+  from_inside.urdf = folder / "reacher.urdf";
+  EXPECT_THROW(add_robot(from_inside), config::ConfigurationError);
+  EXPECT_EQ(names_in(folder), made);
+  // a folder that no import has made
+  fs::create_directories(add.into / "other");
+  std::ofstream(add.into / "other" / "thesis.txt") << "mine";
+  add.name = "other";
+  EXPECT_THROW(add_robot(add), config::ConfigurationError);
+  EXPECT_EQ(text_of(add.into / "other" / "thesis.txt"), "mine");
+}
+
+TEST_F(AddRobot, NameOfATypeMayBeLong) {
+  AddRequest add = request(MRROC_SOURCE_DIR "/docs/examples/reacher/reacher.urdf");
+  add.accept_guesses = true;
+  for (const std::size_t length : {22, 23, 26, 27, 31, 60}) {
+    add.name = "r" + std::string(length - 1, 'x');
+    add_robot(add);
+    for (const char* file : {"demo.toml", "external.toml"}) {
+      const std::string text = text_of(add.into / add.name / file);
+      const std::size_t begin = text.find("name = \"") + 8;
+      EXPECT_LE(text.find('"', begin) - begin, 31U) << text;
+      EXPECT_NE(text.find("type = \"" + add.name + "\""), std::string::npos) << text;
+    }
+  }
+}
+
+// its specification: a limit that is not there is 0
+TEST_F(AddRobot, LimitThatIsNotInTheFileIsZero) {
+  std::string text = text_of(MRROC_SOURCE_DIR "/docs/examples/reacher/reacher.urdf");
+  const std::string lower = "lower=\"-2.9\" ";
+  ASSERT_NE(text.find(lower), std::string::npos);
+  text.replace(text.find(lower), lower.size(), "");
+  AddRequest add = request(folder_.write("half.urdf", text));
+  add.accept_guesses = true;
+  add.name = "half";
+  add_robot(add);
+  const RobotParameters half = config::read_robot_parameters(config::Table::load(add.into / "half/half.toml"));
+  const auto turn =
+      std::find_if(half.axes.begin(), half.axes.end(), [](const auto& axis) { return axis.name == "turn"; });
+  ASSERT_NE(turn, half.axes.end());
+  EXPECT_EQ(turn->position_min, 0);
+  EXPECT_EQ(turn->position_max, 2.9);
 }
 
 TEST_F(AddRobot, RefusesANameThatIsNotOne) {

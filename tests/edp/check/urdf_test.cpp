@@ -161,6 +161,23 @@ TEST(Urdf, IgnoresValuesThatTheJointTypeDoesNotUse) {
                              "<g:extra xmlns:g='u'/>")));
 }
 
+// what is not read would put a link elsewhere, or give a joint another range
+TEST(Urdf, RefusesMisspeltAndSecondOnes) {
+  for (const char* const word : {"ypr", "rxyz", "quat_xyzw"})
+    EXPECT_NE(mistake(crane("0 0 1\" rpy", std::string("0 0 1\" ") + word))
+                  .find(std::string("<origin> ") + word + ": is unknown"),
+              std::string::npos)
+        << word;
+  EXPECT_NE(mistake(crane("<axis xyz=\"0 0 2\"/>", "<axis xzy=\"0 0 2\"/>")).find("<axis> xzy: is unknown"),
+            std::string::npos);
+  EXPECT_NO_THROW(load(crane("0 0 1\" rpy", "0 0 1\" my:note=\"x\" rpy")));
+  for (const char* const element : {"<axis xyz='0 0 1'/>", "<origin xyz='0 0 2'/>", "<limit effort='1' velocity='1'/>"})
+    EXPECT_NE(mistake(crane("<axis xyz=\"0 0 2\"/>", std::string("<axis xyz=\"0 0 2\"/>") + element))
+                  .find("a second one, expected one"),
+              std::string::npos)
+        << element;
+}
+
 TEST(Urdf, MovingJointNeedsEffortAndVelocity) {
   EXPECT_EQ(mistake(crane("velocity=\"0.5\" ", "")), "c.urdf:10: <limit> velocity: missing, expected a number");
   EXPECT_EQ(mistake(crane("effort=\"1\"/>", "/>")), "c.urdf:10: <limit> effort: missing, expected a number");

@@ -100,7 +100,7 @@ TEST_F(ClaimedFileTest, DeviceIsShared) {
 
 TEST_F(ClaimedFileTest, DescriptorIsWrittenFromItsPosition) {
   const fs::path path = write("file", "before ");
-  const int fd = open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+  const int fd = open(path.c_str(), O_WRONLY | O_APPEND);  // as an inherited one
   {
     const ClaimedFile file("/dev/fd/" + std::to_string(fd), "the file");
     EXPECT_FALSE(file.is_own_regular_file()) << "it must not be truncated";
@@ -109,10 +109,22 @@ TEST_F(ClaimedFileTest, DescriptorIsWrittenFromItsPosition) {
   }
   EXPECT_EQ(read(path), "before after");
   close(fd);
-  const int reads = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const int reads = open(path.c_str(), O_RDONLY);
   EXPECT_THROW(ClaimedFile("/proc/self/fd/" + std::to_string(reads), "the file"), std::runtime_error);
   close(reads);
   EXPECT_THROW(ClaimedFile("/dev/fd/987", "the file"), std::runtime_error) << "not open";
+}
+
+// a caller that forgets `3>file` must not get the file of a descriptor that the program has opened
+TEST_F(ClaimedFileTest, OwnDescriptorIsNoOutput) {
+  const fs::path path = write("memory", "its own");
+  for (const int flags : {O_WRONLY, O_RDWR}) {
+    const int own = open(path.c_str(), flags | O_CLOEXEC);
+    for (const char* folder : {"/dev/fd/", "/proc/self/fd/"})
+      EXPECT_THROW(ClaimedFile(folder + std::to_string(own), "the file"), std::runtime_error);
+    close(own);
+  }
+  EXPECT_EQ(read(path), "its own");
 }
 
 TEST_F(ClaimedFileTest, RecognisesNamesOfDescriptors) {

@@ -3,6 +3,7 @@
 
 #include "robots/common/changed_file.hpp"
 #include "system/mrroc_run.hpp"
+#include "text_of.hpp"
 
 namespace mrroc::test::wrong_input_test {
 namespace {
@@ -50,6 +51,42 @@ TEST(WrongInput, ADeploymentIsRefusedWithItsLineAndNothingIsStarted) {
   expect_text(run.err(), "wrong.toml:3: deployment.clock: unknown value 'fast'");
   expect_nothing_started(run.out());
   expect_text(run_mrroc({"run", "--check", file.string()}, kUsage), "wrong.toml:3: deployment.clock");
+}
+
+TEST(WrongInput, OutputsReplaceNothingElse) {
+  const ScratchFolder folder;
+  const std::string task = folder.write("short.toml", faulty_deployment("exception")).string();
+  const std::string events = "[[events]]\ntick = 5\ncommand = \"pause\"\n";
+  const auto mine = folder.write("mine.toml", events);
+  const auto other = folder.write("other.xml", "<mujocoinclude/>");
+  for (const std::string option : {"--record", "--motion", "--note-events"}) {
+    const auto refused = [&](const std::vector<std::string>& more, const std::string& text) {
+      std::vector<std::string> words{"run", task, "--quiet", option};
+      words.insert(words.end(), more.begin(), more.end());
+      MrrocRun run(words);
+      EXPECT_EQ(run.wait(), kUsage) << option;
+      expect_text(run.err(), text);
+    };
+    refused({other.string()}, option);
+    refused({mine.string(), "--events", mine.string()}, option);
+    refused({task}, option);
+    refused({""}, "is empty");
+    refused({"/dev/fd/9"}, "/dev/fd/9");
+  }
+  EXPECT_EQ(text_of(mine), events);
+  EXPECT_EQ(text_of(other), "<mujocoinclude/>");
+  EXPECT_EQ(text_of(task), faulty_deployment("exception"));
+}
+
+TEST(WrongInput, CheckLooksAtTheFaultsToo) {
+  const std::string task = "tasks/press/press.toml";
+  for (const char* fault : {"kill", "nan edp:arm axis 7 at tick 1", "kill edp:left at tick 1", "kill mp at step 0"})
+    for (const std::vector<std::string>& more : {std::vector<std::string>{}, {"--check"}}) {
+      std::vector<std::string> words{"run", task, "--inject", fault};
+      words.insert(words.end(), more.begin(), more.end());
+      expect_nothing_started(run_mrroc(words, kUsage));
+    }
+  run_mrroc({"run", task, "--check", "--inject", "nan edp:arm axis 6 at tick 1"}, 0);
 }
 
 TEST(WrongInput, CheckStartsNothing) {
