@@ -94,13 +94,6 @@ int run(const RunArguments& arguments) {
   return static_cast<int>(Runner(deployment, options).run());
 }
 
-/// As `--record "$FILE"` without FILE would be none.
-CLI::Validator not_empty() {
-  return {
-      [](const std::string& text) { return std::string{text.empty() ? "is empty, expected the name of a file" : ""}; },
-      ""};
-}
-
 void add_panel_options(CLI::App& command, RunArguments& arguments) {
   const auto panel = [&arguments]() -> PanelOptions& {
     if (!arguments.options.panel) arguments.options.panel.emplace();
@@ -133,10 +126,8 @@ void add_run_command(CLI::App& app, int& exit_code) {
   command->add_option("FILE", arguments->file, "Deployment file (TOML)")->required();
   command->add_option("--clock", arguments->clock, "Clock instead of the deployment's")
       ->check(CLI::IsMember(config::clock_names()));
-  command
-      ->add_option("--record,--trace", arguments->options.recording,
-                   "Record every step, state, reading and command to this MCAP file (docs/reference/recording.md)")
-      ->check(not_empty());
+  command->add_option("--record,--trace", arguments->options.recording,
+                      "Record every step, state, reading and command to this MCAP file (docs/reference/recording.md)");
   command
       ->add_option_function<std::string>(
           "--record-rate",
@@ -154,13 +145,11 @@ void add_run_command(CLI::App& app, int& exit_code) {
       ->add_option("--black-box", arguments->options.black_box,
                    "Folder for the last steps of a task that fails, one file for each; empty: none")
       ->capture_default_str();
-  command->add_option("--snapshots", arguments->options.snapshots, "Write states of the simulated world to this folder")
-      ->check(not_empty());
-  command
-      ->add_option("--motion", arguments->options.motion,
-                   "Write where the simulated world's robots are at every tick, and how fast, to this file; of a "
-                   "simulator on another host it lies there")
-      ->check(not_empty());
+  command->add_option("--snapshots", arguments->options.snapshots,
+                      "Write states of the simulated world to this folder");
+  command->add_option("--motion", arguments->options.motion,
+                      "Write where the simulated world's robots are at every tick, and how fast, to this file; of a "
+                      "simulator on another host it lies there");
   command
       ->add_option(
           "--inject", arguments->options.faults,
@@ -177,14 +166,10 @@ void add_run_command(CLI::App& app, int& exit_code) {
                                      "Seed of these errors; 1 when left out")
       ->needs(errors);
   command->add_flag("--hold", arguments->options.hold, "The task waits for the operator's 'start'");
-  command
-      ->add_option("--events", arguments->events,
-                   "Operator commands at given ticks, [[events]], instead of the deployment's")
-      ->check(not_empty());
-  command
-      ->add_option("--note-events", arguments->options.note_events,
-                   "Write the operator's commands, each with its tick, to this file for --events")
-      ->check(not_empty());
+  command->add_option("--events", arguments->events,
+                      "Operator commands at given ticks, [[events]], instead of the deployment's");
+  command->add_option("--note-events", arguments->options.note_events,
+                      "Write the operator's commands, each with its tick, to this file for --events");
   add_panel_options(*command, *arguments);
   command->add_flag("--ros2", arguments->options.ros2,
                     "Show the run to ROS 2 as a node, as the deployment's table [ros2] does");

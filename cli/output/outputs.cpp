@@ -35,21 +35,21 @@ Outputs::Outputs(const RunOptions& options, const config::Deployment& deployment
   const bool remote = deployment.sim && !deployment.sim->host.empty();
   if (!options.motion.empty() && !remote) {
     check_apart("--motion", options.motion);
-    check_replaceable("--motion", options.motion, kMotion, "a motion file");
     known_.emplace_back("--motion",
                         motion_.emplace(claim_live(options.motion, "--motion", "the motion file")).identity());
+    check_replaceable("--motion", options.motion, kMotion, "a motion file");
   }
   if (!options.note_events.empty()) {
     check_apart("--note-events", options.note_events);
-    check_replaceable("--note-events", options.note_events, kNotes, "noted events");
     notes_.emplace(claim_live(options.note_events, "--note-events", "the noted events"));
+    check_replaceable("--note-events", options.note_events, kNotes, "noted events");
     known_.emplace_back("--note-events", notes_->identity());
   }
   if (!options.recording.empty()) {
     check_apart("--record", options.recording);
-    check_replaceable("--record", options.recording, kRecording, "a recording");
     record_last_ = options.record_last.has_value();
     recording_.emplace(options.recording, deployment.start_timeout, wait);
+    check_replaceable("--record", options.recording, kRecording, "a recording");
     if (!recording_->opened()) return;
     known_.emplace_back("--record", recording_->identity());
   }

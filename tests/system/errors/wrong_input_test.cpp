@@ -70,7 +70,6 @@ TEST(WrongInput, OutputsReplaceNothingElse) {
     refused({other.string()}, option);
     refused({mine.string(), "--events", mine.string()}, option);
     refused({task}, option);
-    refused({""}, "is empty");
     refused({"/dev/fd/9"}, "/dev/fd/9");
   }
   EXPECT_EQ(text_of(mine), events);
