@@ -49,7 +49,7 @@ void check_targets(const faults::FaultPlan& faults, const std::vector<PlannedPro
     for (const config::RobotEntry& robot : deployment.robots) {
       if (robot.edp_process() != fault.process) continue;
       const std::size_t axes = config::parameters_of(robot).axes.size();
-      if (fault.axis >= axes) refuse(fault, robot.name + " has " + std::to_string(axes) + " axes");
+      if (fault.axis >= axes) refuse(fault, robot.type + " has " + std::to_string(axes) + " axes");
     }
   }
 }
