@@ -24,9 +24,9 @@ def test_success(folder):
     """Nothing is written, and a file of an earlier run stays as it is."""
     recording = run(PRESS, folder, "good", *LAST)
     assert not recording.exists()
-    recording.write_bytes(b"earlier")
+    recording.write_bytes(b"\x89MCAP0\r\nearlier")
     run(PRESS, folder, "good", *LAST)
-    assert recording.read_bytes() == b"earlier"
+    assert recording.read_bytes() == b"\x89MCAP0\r\nearlier"
 
 
 def test_failure(folder):
