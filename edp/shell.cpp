@@ -14,6 +14,7 @@
 #include "edp/check/robot_check.hpp"
 #include "edp/command/effector.hpp"
 #include "edp/command/operator_motion.hpp"
+#include "edp/command/order_kind.hpp"
 #include "edp/describe.hpp"
 #include "edp/drivers/injected_hardware.hpp"
 #include "edp/drivers/load_driver.hpp"
@@ -179,7 +180,7 @@ class Shell {
 
   /// Before the drives are on the task's first command waits, and orders of the operator are refused.
   void await_drives() {
-    if (responder_.take(command_, sequence_)) waiting_ = command_;
+    waits_ = responder_.take(command_, sequence_) || waits_;
     std::uint64_t sequence = 0;
     while (operator_.take(order_, sequence)) refuse("the drives are being switched on", sequence);
     say_that_drives_are_switched_on();
@@ -222,10 +223,7 @@ class Shell {
 
   /// Sends due replies, then takes received commands.
   void exchange() {
-    if (waiting_) {
-      command_ = *std::exchange(waiting_, std::nullopt);
-      accept(sequence_);
-    }
+    if (std::exchange(waits_, false)) accept(sequence_);
     while (effector_.poll(reply_)) {
       if (!OperatorMotion::is_own(reply_.command))
         responder_.reply(reply_.state, reply_.command);
@@ -238,8 +236,9 @@ class Shell {
     if (operator_motion_.hold_for_late_motion(reply_)) responder_.reply(reply_.state, reply_.command);
     if (operator_motion_.poll_hold(process_.clock().tick(), reply_)) responder_.reply(reply_.state, reply_.command);
     while (operator_.take(command_, sequence)) {
-      if (!operator_.fresh(OperatorMotion::kJogValidity)) {
-        if (!OperatorMotion::is_jog(command_)) refuse("the order has come too late", sequence);
+      // a robot must not move by an order of the past; it may come to rest by one
+      if (command_.kind != CommandKind::hold && !operator_.fresh(OperatorMotion::kJogValidity)) {
+        if (!is_jog(command_)) refuse("the order has come too late", sequence);
         continue;
       }
       if (operator_motion_.accept(command_, sequence, process_.clock().tick(), reply_))
@@ -275,7 +274,7 @@ class Shell {
   std::deque<links::StateFeed> feeds_;
   RobotState fed_;
   RobotCommand command_, order_;
-  std::optional<RobotCommand> waiting_;  ///< the task's first command, number `sequence_`, until the drives are on
+  bool waits_ = false;  ///< `command_`, the task's first one, number `sequence_`, for the drives to be on
   std::uint64_t sequence_ = 0;
   bool said_ = false;
   Reply reply_;

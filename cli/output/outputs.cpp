@@ -11,13 +11,14 @@
 
 #include "cli/hosts/agent_protocol.hpp"
 #include "command/replaceable.hpp"
+#include "recording/recording_reader.hpp"
 
 namespace mrroc::cli {
 
 namespace {
 
 /// What the files of a run begin with.
-constexpr std::string_view kRecording = "\x89MCAP0\r\n", kMotion = "# limits ", kNotes = "[[events]]";
+constexpr std::string_view kMotion = "# limits ", kNotes = "[[events]]";
 
 }  // namespace
 
@@ -49,7 +50,7 @@ Outputs::Outputs(const RunOptions& options, const config::Deployment& deployment
     check_apart("--record", options.recording);
     record_last_ = options.record_last.has_value();
     recording_.emplace(options.recording, deployment.start_timeout, wait);
-    check_replaceable("--record", options.recording, kRecording, "a recording");
+    check_replaceable("--record", options.recording, recording::kBeginning, "a recording");
     if (!recording_->opened()) return;
     known_.emplace_back("--record", recording_->identity());
   }

@@ -29,7 +29,7 @@ class UrdfReader {
   std::string text(const Element& element, const char* name) const;
   /// The child element of this name, null without one. Throws for a second one.
   const Element* optional_child(const Element& element, const char* name) const;
-  /// Throws for an attribute that is none of these; those of other namespaces are ignored.
+  /// Throws for an attribute with another name; those of other namespaces are ignored.
   void only(const Element& element, const std::vector<std::string>& names) const;
   /// The first child element `name`. Throws: missing.
   const Element& child(const Element& element, const char* name) const;

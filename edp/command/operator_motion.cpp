@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "edp/command/order_kind.hpp"
 #include "edp/safety/error_report.hpp"
 
 namespace mrroc::edp {
@@ -17,18 +18,9 @@ Tick end_of(const RobotCommand& command, Tick now) noexcept {
   return std::clamp(command.start_tick, now, now + kMaxMotionSteps) + command.motion_steps;
 }
 
-bool is_travel(const RobotCommand& command) noexcept {
-  return command.kind == CommandKind::joint || command.kind == CommandKind::motor || command.kind == CommandKind::pose;
-}
-
 ErrorReport busy(const char* reason) noexcept { return make_report(ErrorClass::non_fatal, ErrorCode::busy, reason); }
 
 }  // namespace
-
-bool OperatorMotion::is_jog(const RobotCommand& command) noexcept {
-  return command.kind == CommandKind::joint_velocity || command.kind == CommandKind::twist ||
-         (command.kind == CommandKind::motor && command.joints.size() == 0);
-}
 
 OperatorMotion::OperatorMotion(Effector& effector, const ModelSet& models, double period)
     : effector_(effector), models_(models), period_(period), travel_(models, period) {}

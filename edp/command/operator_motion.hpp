@@ -37,9 +37,6 @@ class OperatorMotion {
   static constexpr std::uint16_t kSteps = OperatorTravel::kSteps;  ///< ticks of a macrostep
   static constexpr std::uint8_t kTaskPaused = 1;
 
-  /// Whether it is a jog, which is given repeatedly and has no answer of its own that anything waits for.
-  static bool is_jog(const RobotCommand& command) noexcept;
-
   /// All outlive it. `period` in s.
   OperatorMotion(Effector& effector, const ModelSet& models, double period);
 

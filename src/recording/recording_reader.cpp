@@ -22,15 +22,11 @@ namespace {
 constexpr std::size_t kRecordHeader = 9;              // opcode, length
 constexpr std::uint64_t kLargestRecord = 64'000'000;  // bytes; our own chunks have at most 4 MB and one message
 
-std::array<char, sizeof(mcap::Magic)> magic() noexcept {
-  std::array<char, sizeof(mcap::Magic)> bytes{};
-  std::memcpy(bytes.data(), mcap::Magic, bytes.size());
-  return bytes;
-}
+static_assert(kBeginning.size() == sizeof(mcap::Magic));
 
 bool begins_with_magic(std::ifstream& stream) {
-  std::array<char, sizeof(mcap::Magic)> found{};
-  return stream.read(found.data(), found.size()) && found == magic();
+  std::array<char, kBeginning.size()> found{};
+  return stream.read(found.data(), found.size()) && std::string_view(found.data(), found.size()) == kBeginning;
 }
 
 std::uint64_t length_at(const std::byte* bytes) noexcept {

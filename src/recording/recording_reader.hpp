@@ -19,6 +19,9 @@ struct RecordedMessage {
   std::vector<std::byte> cdr;  ///< its encoding
 };
 
+/// What every MCAP file begins with.
+inline constexpr std::string_view kBeginning{"\x89MCAP0\r\n", 8};
+
 /// Whether the file begins as every MCAP file does. False for a file that cannot be read.
 bool is_recording(const std::filesystem::path& file);
 

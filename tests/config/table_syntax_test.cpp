@@ -60,6 +60,12 @@ TEST_F(TableSyntaxTest, RefusesUnreadableFiles) {
             "/proc/self/mem: cannot be read: Input/output error, expected a readable file");
 }
 
+TEST_F(TableSyntaxTest, ByteThatOldEditorsEndAFileWithIsNotPartOfIt) {
+  for (const std::string text : {"a = 1\n\x1A", "a = 1\x1A", "a = 1\r\n\x1A"})
+    EXPECT_EQ(Table::load(scratch_.write("t.toml", text)).integer("a", 0, 9), 1) << text;
+  EXPECT_TRUE(message("a = 1\x1A\nb = 2\n").starts_with("t.toml:1: "));
+}
+
 TEST_F(TableSyntaxTest, EmptyFileIsAnEmptyTable) {
   const auto file = scratch_.write("t.toml", "");
   EXPECT_TRUE(Table::load(file).keys().empty());

@@ -1,6 +1,8 @@
 // Tasks as state machines, with `mrroc run`, and their errors.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 #include "system/mrroc_run.hpp"
 #include "text_of.hpp"
 
@@ -121,6 +123,10 @@ TEST(StateMachine, IsDrawnAsAGraph) {
     EXPECT_NE(dot.find(line), std::string::npos) << line << " is missing in\n" << dot;
   const auto picture = folder.path() / "shuttle.svg";
   run_mrroc({"graph", kTask + "shuttle.toml", "-o", picture.string()}, 0);
+  // also when the caller ignores SIGCHLD, which a program inherits
+  const std::string ignoring = "timeout 60 sh -c \"trap '' CHLD; exec " MRROC_COMMAND " graph " + kTask +
+                               "shuttle.toml -o " + picture.string() + "\"";
+  EXPECT_EQ(std::system(ignoring.c_str()), 0);
   const std::string svg = text_of(picture);
   EXPECT_NE(svg.find("<svg"), std::string::npos);
   const std::string missing = run_mrroc({"graph", std::string{MRROC_SOURCE_DIR} + "/tasks/press/press.toml"}, 2);

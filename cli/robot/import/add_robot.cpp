@@ -34,9 +34,11 @@ bool is_made(const std::string& name, const std::string& type) {
   return made.contains(name);
 }
 
-/// Throws when the folder holds anything that an import does not make, or one of its inputs: it would be lost.
+/// Throws when it is no folder, or holds anything that an import does not make, or one of its inputs: it would be lost.
 void check_replaced(const fs::path& folder, const std::string& type, const AddRequest& request) {
   std::error_code none;
+  if (!fs::is_directory(folder))
+    throw ConfigurationError(folder, 0, "--replace", "is no folder", "the folder of an imported type");
   std::set<std::string> found;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) found.insert(entry.path().filename());
   for (const std::string& name : found)

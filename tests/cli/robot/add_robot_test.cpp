@@ -8,6 +8,7 @@
 #include <regex>
 #include <sstream>
 
+#include "cli/robot/adding.hpp"
 #include "cli/robot/import/demo_command.hpp"
 #include "cli/robot/type/check_type.hpp"
 #include "cli/robot/urdf_arm.hpp"
@@ -25,34 +26,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using test::text_of;
-
-const fs::path kSpoilt = MRROC_SOURCE_DIR "/tests/cli/robot/spoilt";
-
-std::vector<std::string> names_in(const fs::path& folder) {
-  std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(folder)) names.push_back(entry.path().filename().string());
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
-class AddRobot : public testing::Test {
- protected:
-  AddRequest request(const fs::path& urdf) const {
-    AddRequest request;
-    request.urdf = urdf;
-    request.into = folder_ / "robots";
-    return request;
-  }
-  /// The report; the message of the error.
-  static std::string result_of(const AddRequest& request) {
-    try {
-      return add_robot(request);
-    } catch (const config::ConfigurationError& error) {
-      return error.what();
-    }
-  }
-  task_test::ScratchFolder folder_;
-};
 
 /// Line 1 of every file in spoilt/ has options, line 2 the text that the report or the error contains, or a file that
 /// is written.
@@ -223,45 +196,6 @@ TEST_F(AddRobot, RefusesInvalidLimits) {
     const std::string result = result_of(add);
     EXPECT_NE(result.find(expected), std::string::npos) << result;
   }
-}
-
-TEST_F(AddRobot, KeepsAFolderThatExists) {
-  AddRequest add = request(kSpoilt / "parallel.urdf");
-  add.accept_guesses = true;
-  const fs::path own = folder_.write("robots/parallel/own.txt", "mine");
-  EXPECT_NE(result_of(add).find("parallel: exists, expected another --name, or --replace"), std::string::npos);
-  EXPECT_EQ(names_in(add.into / "parallel"), std::vector<std::string>{"own.txt"});
-  add.replace = true;
-  EXPECT_NE(result_of(add).find("holds 'own.txt', which no import makes"), std::string::npos);
-  EXPECT_EQ(text_of(own), "mine");
-  EXPECT_EQ(names_in(add.into), std::vector<std::string>{"parallel"});
-}
-
-// a folder is replaced as a whole
-TEST_F(AddRobot, ReplacesNoFolderWithOtherFilesNorItsOwnInput) {
-  AddRequest add = request(MRROC_SOURCE_DIR "/docs/examples/reacher/reacher.urdf");
-  add.accept_guesses = true;
-  add_robot(add);
-  add.replace = true;
-  EXPECT_NO_THROW(add_robot(add));
-  const fs::path folder = add.into / "reacher";
-  const std::vector<std::string> made = names_in(folder);
-  for (const char* name : {"thesis.txt", "reacher_drives.toml", "limits.toml"}) {
-    std::ofstream(folder / name) << "mine";
-    EXPECT_THROW(add_robot(add), config::ConfigurationError) << name;
-    EXPECT_EQ(text_of(folder / name), "mine");
-    fs::remove(folder / name);
-  }
-  AddRequest from_inside = add;
-  from_inside.urdf = folder / "reacher.urdf";
-  EXPECT_THROW(add_robot(from_inside), config::ConfigurationError);
-  EXPECT_EQ(names_in(folder), made);
-  // a folder that no import has made
-  fs::create_directories(add.into / "other");
-  std::ofstream(add.into / "other" / "thesis.txt") << "mine";
-  add.name = "other";
-  EXPECT_THROW(add_robot(add), config::ConfigurationError);
-  EXPECT_EQ(text_of(add.into / "other" / "thesis.txt"), "mine");
 }
 
 TEST_F(AddRobot, NameOfATypeMayBeLong) {

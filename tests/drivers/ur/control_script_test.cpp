@@ -37,6 +37,11 @@ TEST(ControlScript, EveryWordIsReplaced) {
   EXPECT_TRUE(program.ends_with("\nend\n"));
 }
 
+// 0 kg would be wrong for every tool
+TEST(ControlScript, PayloadOfTheTeachPendantStaysWithoutALoad) {
+  EXPECT_THAT(control_program(read_control_script(options()), options(), 500, 1), Not(HasSubstr("set_payload")));
+}
+
 TEST(ControlScript, TheWatchdogIsATimeInEveryFrequency) {
   const std::string script = read_control_script(options());
   EXPECT_THAT(control_program(script, options(), 125, 1), HasSubstr("silent > 13:"));

@@ -161,6 +161,13 @@ TEST(Urdf, IgnoresValuesThatTheJointTypeDoesNotUse) {
                              "<g:extra xmlns:g='u'/>")));
 }
 
+TEST(Urdf, HasOneRootAndMayEndAsOldEditorsEndAFile) {
+  EXPECT_NO_THROW(load(kCrane + "\n\x1A"));
+  EXPECT_NO_THROW(load(kCrane + "\n<!-- the end -->\n"));
+  for (const char* const second : {"<robot name='other'/>", "<link name='base'/>"})
+    EXPECT_NE(mistake(kCrane + "\n" + second).find("a second element outside of the first"), std::string::npos);
+}
+
 // what is not read would put a link elsewhere, or give a joint another range
 TEST(Urdf, RefusesMisspeltAndSecondOnes) {
   for (const char* const word : {"ypr", "rxyz", "quat_xyzw"})

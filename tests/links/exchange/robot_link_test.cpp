@@ -95,6 +95,17 @@ TEST(RobotLink, ForwardsCommandAndStateAsTheyCame) {
   EXPECT_EQ(pair.clock.in_flight.load(), 0);
 }
 
+TEST(RobotLink, AgeOfACommandIsThatSinceItWasSent) {
+  for (const bool simulated : {false, true}) {
+    RobotPair pair(simulated);
+    pair.ecp.send({});
+    pair.clock.next_delta();
+    ASSERT_TRUE(pair.edp.take(pair.command, pair.sequence));
+    EXPECT_TRUE(pair.edp.fresh(1000));
+    EXPECT_EQ(pair.edp.fresh(0), simulated) << "it has taken no simulated time";
+  }
+}
+
 TEST(RobotLink, WaitsForTheReply) {
   for (const bool simulated : {false, true}) {
     RobotPair pair(simulated);

@@ -8,12 +8,19 @@
 namespace mrroc::links {
 namespace {
 
-TEST(TaskLink, CarriesCommandsInOrderAndTellsWhichTheStatusKnows) {
+/// An MP's and an ECP's end in one process.
+struct TaskPair {
+  TaskPair() { mp.connect(kPatience); }
   TestDomain net;
   TestClock clock;
-  TaskSubordinate ecp(net.domain, clock, "t/arm");
-  TaskSuperior mp(net.domain, clock, "t/arm", "arm");
-  mp.connect(kPatience);
+  TaskSubordinate ecp{net.domain, clock, "t/arm"};
+  TaskSuperior mp{net.domain, clock, "t/arm", "arm"};
+};
+
+TEST(TaskLink, CarriesCommandsInOrderAndTellsWhichTheStatusKnows) {
+  TaskPair pair;
+  TaskSubordinate& ecp = pair.ecp;
+  TaskSuperior& mp = pair.mp;
   TaskCommand command;
   EXPECT_FALSE(ecp.take(command));
   const auto report = [&](TaskState state, std::uint64_t step) {
@@ -50,11 +57,9 @@ TEST(TaskLink, CarriesCommandsInOrderAndTellsWhichTheStatusKnows) {
 
 // original's defect 3: buffers of one message, a second one overwrote the first; replies taken in were lost on entry
 TEST(TaskLink, WhatComesBetweenTwoLooksIsAllTakenInOrder) {
-  TestDomain net;
-  TestClock clock;
-  TaskSubordinate ecp(net.domain, clock, "t/arm");
-  TaskSuperior mp(net.domain, clock, "t/arm", "arm");
-  mp.connect(kPatience);
+  TaskPair pair;
+  TaskSubordinate& ecp = pair.ecp;
+  TaskSuperior& mp = pair.mp;
   const std::vector<TaskCommandKind> kinds = {TaskCommandKind::start, TaskCommandKind::pause, TaskCommandKind::resume,
                                               TaskCommandKind::trigger, TaskCommandKind::stop};
   for (int i = 0; i < 3; ++i)
@@ -78,11 +83,9 @@ TEST(TaskLink, WhatComesBetweenTwoLooksIsAllTakenInOrder) {
 }
 
 TEST(TaskLink, KeepsMoreThanAMailboxHoldsAndReportsWhatIsLost) {
-  TestDomain net;
-  TestClock clock;
-  TaskSubordinate ecp(net.domain, clock, "t/arm");
-  TaskSuperior mp(net.domain, clock, "t/arm", "arm");
-  mp.connect(kPatience);
+  TaskPair pair;
+  TaskSubordinate& ecp = pair.ecp;
+  TaskSuperior& mp = pair.mp;
   TaskCommand command;
   mp.send(TaskCommandKind::start);
   for (std::size_t i = 1; i < TaskSubordinate::kDepth; ++i) mp.send(TaskCommandKind::message);

@@ -148,6 +148,16 @@ TEST_F(RenderProgram, WritesAPngOfASavedState) {
   EXPECT_GT(colours(picture), 200U);
 }
 
+TEST_F(RenderProgram, ReplacesOnlyPictures) {
+  const std::string options = "--camera overview --width 64 --height 48 --out ";
+  for (const char* name : {"scene.xml", "notes.png"}) {
+    const auto mine = scratch_.write(name, "<mujocoinclude/>");
+    EXPECT_EQ(run(options + mine.string()), 2) << name;
+    EXPECT_EQ(std::filesystem::file_size(mine), 16U) << name;
+  }
+  for (int i = 0; i < 2; ++i) EXPECT_EQ(run(options + (scratch_.path() / "again.png").string()), 0);
+}
+
 TEST_F(RenderProgram, ReportsErrors) {
   EXPECT_EQ(run("--camera none --width 64 --height 48 --out " + (scratch_.path() / "out.png").string()), 2);
   std::ifstream err(scratch_.path() / "err");
