@@ -107,8 +107,9 @@ void Recorder::drain(bool at_end) {
   const Tick now = recorded_.clock.tick();
   const bool simulated = recorded_.deployment.clock != config::ClockMode::real;
   const Tick window = simulated ? 0 : static_cast<Tick>(std::ceil(kWindow / recorded_.deployment.servo_period));
-  const Tick before = at_end ? kNever : now - std::min(now, window);
-  const Tick servo_end = simulated ? recorded_.clock.task_end() : kNever;  // what follows depends on the wall clock
+  // read after the tick: time advances without the tasks, whose last steps are still to come
+  const Tick task_end = simulated ? recorded_.clock.task_end() : kNever;
+  const Tick before = at_end ? kNever : std::min(now - std::min(now, window), task_end);
   {
     const std::lock_guard lock(mutex_);
     waiting_.insert(waiting_.end(), std::make_move_iterator(events_.begin()), std::make_move_iterator(events_.end()));
@@ -123,6 +124,10 @@ void Recorder::drain(bool at_end) {
       source.servo->pop();
     }
   }
+  // what a servo does after the task depends on the wall clock
+  std::erase_if(waiting_, [task_end](const Waiting& waiting) {
+    return waiting.tick > task_end && std::holds_alternative<edp::ServoSample>(waiting.content);
+  });
   const auto name_of = [](const Source* source) {
     return source == nullptr ? std::string_view{} : std::string_view{source->process};
   };
@@ -132,8 +137,7 @@ void Recorder::drain(bool at_end) {
   std::stable_sort(waiting_.begin(), waiting_.end(), earlier);
   const auto end =
       std::find_if(waiting_.begin(), waiting_.end(), [before](const Waiting& w) { return w.tick >= before; });
-  for (auto one = waiting_.begin(); one != end; ++one)
-    if (one->tick <= servo_end || !std::holds_alternative<edp::ServoSample>(one->content)) write(*one);
+  for (auto one = waiting_.begin(); one != end; ++one) write(*one);
   waiting_.erase(waiting_.begin(), end);
 }
 

@@ -54,8 +54,8 @@ class TimeToStop {
 };
 
 void stop_robots(ProcessGroup& group, clock::ClockHost& clock, const ShutdownListener& listener) {
+  clock.stop();  // first: every task is interrupted in the same tick
   group.signal(SIGTERM, clock::Part::task);
-  clock.stop();
   TimeToStop time(clock, listener.stop_timeout);
   const auto all_stand = [&group, &clock] { return group.all_left(clock::Part::drives, clock); };
   // a world without driven robots ends on its own

@@ -1,5 +1,7 @@
 #include "clock/lockstep_clock.hpp"
 
+#include <algorithm>
+
 #include "clock/wall/monotonic.hpp"
 
 namespace mrroc::clock {
@@ -16,14 +18,20 @@ Wake LockstepClock::wait(Tick wake_tick) {
   const std::uint32_t seen = slot().gate.word();
   if (slot().gate.interrupted()) {
     leave();  // while it runs, so that the delta does not close in between
-    return Wake::interrupted;
+    return interrupted();
   }
   slot().wake_tick.store(wake_tick);
   slot().running.store(0);
   if (quiescent(memory())) memory().host.open();
-  if (!sleep(seen, kForever)) return Wake::interrupted;
+  if (!sleep(seen, kForever)) return interrupted();
   update_time();
   return slot().reason.load();
+}
+
+Wake LockstepClock::interrupted() noexcept {
+  const Tick now = std::min(memory().stop_tick.load(), memory().tick.load());
+  tick_.store(std::max(tick_.load(), now));
+  return Wake::interrupted;
 }
 
 void LockstepClock::update_time() noexcept {

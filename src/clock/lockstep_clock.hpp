@@ -29,6 +29,8 @@ class LockstepClock : public ParticipantClock {
 
  private:
   void update_time() noexcept;
+  /// What the process still does belongs to the tick of the interruption, not to the one in which it fell asleep.
+  Wake interrupted() noexcept;
 
   std::atomic<Tick> tick_{0};
   std::atomic<std::uint64_t> delta_{0};

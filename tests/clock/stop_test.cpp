@@ -45,6 +45,26 @@ TEST(ClockStop, TasksAreInterruptedAndTimeGoesOnForDrivesAndWorld) {
   EXPECT_GE(world_ended, 120U);
 }
 
+TEST(ClockStop, TaskThatWaitedForMailIsInTheTickOfTheStop) {
+  ThreadDeployment deployment({"task", "drives"});
+  std::atomic<Tick> task_ended{0};
+  deployment.add("task", [&task_ended](Clock& clock) {
+    EXPECT_EQ(clock.wait(kNever), Wake::interrupted);
+    task_ended.store(clock.tick());
+  });
+  deployment.add(
+      "drives",
+      [](Clock& clock) {
+        while (!clock.stopping()) EXPECT_EQ(clock.wait(clock.tick() + 1), Wake::tick);
+        for (int i = 0; i < 20; ++i) EXPECT_EQ(clock.wait(clock.tick() + 1), Wake::tick);
+      },
+      Part::drives);
+  deployment.host.at_tick(100, [&deployment](Tick) { deployment.host.stop(); });
+  deployment.start();
+  deployment.join();
+  EXPECT_EQ(task_ended.load(), deployment.host.stop_tick());
+}
+
 TEST(ClockStop, TaskEndIsTheFirstThatIsSaid) {
   ThreadDeployment deployment({"task", "other"});
   deployment.add("task", [](Clock& clock) {
