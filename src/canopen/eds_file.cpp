@@ -40,6 +40,13 @@ std::optional<Object> object_of_section(const std::string& section) {
   return Object{static_cast<std::uint16_t>(index), static_cast<std::uint8_t>(sub)};
 }
 
+/// A name that begins as the address of an object does, of a section with the keys of a value: a misspelt address, not
+/// an addition of a maker or a part of a module ("M1SubExt6000").
+bool is_misspelt(const EdsSection& section) {
+  const bool begins_so = section.name.starts_with("0x") || section.name.find_first_not_of("0123456789abcdef") >= 4;
+  return begins_so && (section.find("datatype") != nullptr || section.find("accesstype") != nullptr);
+}
+
 bool is_access(std::string_view text) {
   return text == "ro" || text == "wo" || text == "rw" || text == "rwr" || text == "rww" || text == "const";
 }
@@ -184,7 +191,11 @@ void EdsFile::read_objects(const std::vector<EdsSection>& sections, const std::s
   for (const EdsSection& section : sections) {
     const auto [first, added] = by_name.emplace(section.name, &section);
     const auto object = object_of_section(section.name);
-    if (!object) continue;
+    if (!object) {
+      if (is_misspelt(section))
+        parser.fail(section.number, section.name, "a value without an address", "[6040], or [1018sub1] of a part");
+      continue;
+    }
     if (!added)
       parser.fail(section.number, section.name,
                   "the object has a section in line " + std::to_string(first->second->number) + " already",

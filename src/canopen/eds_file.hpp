@@ -37,8 +37,8 @@ struct ObjectEntry {
 class EdsFile {
  public:
   /// Throws EdsError: unreadable, refused by `read_eds_sections` or `expected_value`, a missing type or access or one
-  /// that the standard does not define, an object or a part without a name or in two sections, a key twice with two
-  /// values, more than 254 parts.
+  /// that the standard does not define, an object or a part without a name or in two sections, a misspelt address of a
+  /// section with DataType or AccessType, a key twice with two values, more than 254 parts.
   static EdsFile load(const std::filesystem::path& file);
   /// `name`: for messages.
   static EdsFile parse(std::string_view text, const std::string& name);

@@ -166,6 +166,22 @@ TEST(EdsFile, IgnoresSectionsWithoutAValue) {
   EXPECT_TRUE(parse("").entries().empty());
 }
 
+TEST(EdsFile, RefusesAMisspeltAddressOfAValue) {
+  const std::string value = "ParameterName=Type\nDataType=5\nAccessType=rw\nDefaultValue=254\n";
+  for (const char* const name : {"1802 sub1", "1802_sub1", "1802.1", "1802sub", "1802sub100", "1802subx", "1802su1",
+                                 "18020", "0x1802", "0x1802sub1", "1802sub 1", "A580 Sub2"}) {
+    const std::string text = std::string{"[1802]\nParameterName=TPDO 3\nObjectType=9\n["} + name + "]\n" + value;
+    try {
+      parse(text);
+      ADD_FAILURE() << name;
+    } catch (const EdsError& error) {
+      EXPECT_TRUE(std::string_view(error.what()).starts_with("drive.eds:4: ")) << error.what();
+    }
+  }
+  for (const char* const name : {"M1SubExt6000", "M1Fixed6000sub1", "Decoration", "Comments"})
+    EXPECT_TRUE(parse(std::string{"["} + name + "]\n" + value).entries().empty()) << name;
+}
+
 TEST(EdsFile, ReadsOrRefusesAnyText) {
   EXPECT_TRUE(rc::check("lines of pieces", [] {
     const auto pieces = *rc::gen::container<std::vector<std::string>>(
