@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/error_report.hpp"
 #include "geometry/quintic.hpp"
@@ -34,6 +35,11 @@ DesiredState desired_of(const Robot& robot) {
   return {state.desired_joints, state.desired_velocity, state.desired_acceleration};
 }
 
+/// The digits with which a position prints differently from both ends of its range.
+int digits_of(double position, double min, double max) noexcept {
+  return std::max(digits_to_differ(position, min), digits_to_differ(position, max));
+}
+
 template <class... Numbers>
 ErrorReport refusal(ErrorCode code, const char* format, Numbers... numbers) noexcept {
   return make_report(ErrorClass::non_fatal, code, format, numbers...);
@@ -64,24 +70,29 @@ ErrorReport TrajectoryFollower::check(const JointTrajectory& trajectory) const n
       const auto axis = static_cast<Eigen::Index>(i);
       const double position = trajectory.position(point, i), way = std::abs(position - joints[axis]);
       const char* const name = axes[i].name.c_str();
-      if (!is_within(position, axes[i].position_min, axes[i].position_max))
-        return refusal(ErrorCode::joint_limit, "point %zu: joint %s at %.6g, expected %.6g to %.6g", point, name,
-                       position, axes[i].position_min, axes[i].position_max);
+      const auto [min, max] = std::pair(axes[i].position_min, axes[i].position_max);
+      if (!is_within(position, min, max)) {
+        const int digits = digits_of(position, min, max);
+        return refusal(ErrorCode::joint_limit, "point %zu: joint %s at %.*g, expected %.*g to %.*g", point, name,
+                       digits, position, digits, min, digits, max);
+      }
       if (duration <= 0 && way > External::kStart)
-        return refusal(ErrorCode::invalid_argument, "point 0 at time 0: joint %s %.4g from the robot, expected %.4g",
-                       name, way, External::kStart);
-      if (duration > 0 && way > kMeanVelocity * axes[i].velocity_max * duration)
-        return refusal(ErrorCode::velocity_limit, "point %zu: joint %s needs a velocity of %.4g, limit %.4g", point,
-                       name, way / duration, axes[i].velocity_max);
+        return refusal(ErrorCode::invalid_argument, "point 0 at time 0: joint %s %.*g from the robot, expected %g",
+                       name, digits_to_differ(way, External::kStart), way, External::kStart);
+      if (const double most = axes[i].velocity_max; duration > 0 && way > kMeanVelocity * most * duration)
+        return refusal(ErrorCode::velocity_limit, "point %zu: joint %s needs a velocity of %.6g, limit %.6g", point,
+                       name, way / duration, most);
       joints[axis] = position;
     }
     if (model.joints_to_motors(joints, motors) != ErrorCode::none)
       return refusal(ErrorCode::motor_limit, "point %zu: the transmission cannot reach it", point);
-    for (std::size_t i = 0; i < axes.size(); ++i)
-      if (const double motor = motors[static_cast<Eigen::Index>(i)];
-          !is_within(motor, axes[i].motor_min, axes[i].motor_max))
-        return refusal(ErrorCode::motor_limit, "point %zu: motor %s at %.6g, expected %.6g to %.6g rad", point,
-                       axes[i].name.c_str(), motor, axes[i].motor_min, axes[i].motor_max);
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+      const double motor = motors[static_cast<Eigen::Index>(i)], min = axes[i].motor_min, max = axes[i].motor_max;
+      if (is_within(motor, min, max)) continue;
+      const int digits = digits_of(motor, min, max);
+      return refusal(ErrorCode::motor_limit, "point %zu: motor %s at %.*g, expected %.*g to %.*g rad", point,
+                     axes[i].name.c_str(), digits, motor, digits, min, digits, max);
+    }
   }
   return {};
 }

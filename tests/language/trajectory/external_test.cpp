@@ -1,5 +1,9 @@
 // Trajectories from outside, checked as the EDP would.
 #include <cmath>
+#include <regex>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "language/trajectory/external_rig.hpp"
 
@@ -170,6 +174,37 @@ TEST(External, RefusesWhatTheRobotCannotFollowAndContinues) {
   for (std::size_t i = 2; i < 9; ++i) {
     EXPECT_EQ(rig.task.link.reports.at(i).trajectory, i);
     EXPECT_FALSE(rig.task.link.reports.at(i).text.empty());
+  }
+}
+
+/// The numbers in a text, as it shows them.
+std::vector<std::string> numbers_in(std::string_view text) {
+  const std::regex number("-?[0-9]+(\\.[0-9]+)?(e[-+]?[0-9]+)?");
+  const std::string whole(text);
+  std::vector<std::string> found;
+  for (std::sregex_iterator match(whole.begin(), whole.end(), number), end; match != end; ++match)
+    found.push_back(match->str());
+  return found;
+}
+
+TEST(External, NumbersOfARefusalDiffer) {
+  for (const double beyond : {1e-8, 3e-7, 2e-4, 0.5, 100.0}) {
+    Rig rig(20);
+    const AxisParameters& axis = rig.robot->parameters().axes[1];
+    const double allowance = position_tolerance(axis.position_min, axis.position_max);
+    rig.before = [&](int step) {
+      if (step != 2) return;
+      JointTrajectory trajectory(rig.axes(), Order::positions, 1);
+      JointVector to = rig.joints();
+      to[1] = axis.position_max + allowance + beyond;
+      trajectory.set_point(0, 100, {to.data(), static_cast<std::size_t>(to.size())});
+      rig.task.link.send(1, trajectory);
+    };
+    rig.run();
+    ASSERT_EQ(rig.task.link.reports.back().state, TrajectoryState::refused);
+    const std::vector<std::string> numbers = numbers_in(rig.task.link.reports.back().text.view());
+    ASSERT_GE(numbers.size(), 3u);
+    EXPECT_NE(numbers.back(), *(numbers.end() - 3)) << rig.task.link.reports.back().text.view();
   }
 }
 
