@@ -1,6 +1,10 @@
-#include "edp/status_counters.hpp"
+#include "edp/robot_status.hpp"
+
+#include "edp/safety/error_report.hpp"
 
 namespace mrroc::edp {
+
+namespace {
 
 links::Counters counters_of(Effector& effector, Servo& servo, const clock::TickStatistics* ticks) {
   links::Counters counters;
@@ -27,6 +31,16 @@ links::Counters counters_of(Effector& effector, Servo& servo, const clock::TickS
     counters.packages_bunched = beats.bunched;
   }
   return counters;
+}
+
+}  // namespace
+
+void RobotStatus::report(Effector& effector, Servo& servo, const clock::TickStatistics* ticks) noexcept {
+  board_.counters(counters_of(effector, servo, ticks));
+  const Snapshot* const snapshot = effector.snapshot();
+  if (snapshot == nullptr || snapshot->fault.code == fault_) return;
+  fault_ = snapshot->fault.code;
+  board_.fault(fault_ == ErrorCode::none ? ErrorReport{} : make_report(snapshot->fault, parameters_));
 }
 
 }  // namespace mrroc::edp

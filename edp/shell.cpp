@@ -19,10 +19,9 @@
 #include "edp/drivers/injected_hardware.hpp"
 #include "edp/drivers/load_driver.hpp"
 #include "edp/force/wrist_sensor.hpp"
-#include "edp/safety/error_report.hpp"
+#include "edp/robot_status.hpp"
 #include "edp/servo/servo.hpp"
 #include "edp/servo/servo_thread.hpp"
-#include "edp/status_counters.hpp"
 #include "kinematics/loaded_model.hpp"
 #include "kinematics/measured_model.hpp"
 #include "links/exchange/robot_responder.hpp"
@@ -53,6 +52,7 @@ class Shell {
         servo_(model_set_, *hardware_, process.clock().period(), channel_),
         effector_(model_set_, process.clock().period(), channel_),
         operator_motion_(effector_, model_set_, process.clock().period()),
+        status_(process.status(), models_.front()->parameters()),
         responder_(process.domain(), process.clock(), process.topic(place_.entry.name),
                    process.deployment().heartbeat_timeout),
         operator_(process.domain(), process.clock(), process.topic(place_.entry.name + "/operator"),
@@ -154,7 +154,7 @@ class Shell {
       else
         await_drives();
       store_telemetry();
-      process_.status().counters(counters_of(effector_, servo_));
+      status_.report(effector_, servo_);
       if (clock.stopping() && !servo_.drives_on()) return;
     }
   }
@@ -168,12 +168,13 @@ class Shell {
       feed();
       await_drives();
       store_telemetry();
+      status_.report(effector_, servo_, &thread.statistics());
     }
     for (; runs; runs = clock.wait(kNever) != clock::Wake::interrupted && !clock.stopping()) {
       feed();
       exchange();
       store_telemetry();
-      process_.status().counters(counters_of(effector_, servo_, &thread.statistics()));
+      status_.report(effector_, servo_, &thread.statistics());
     }
     // the thread's destructor stops the robot and switches the drives off
   }
@@ -266,6 +267,7 @@ class Shell {
   Servo servo_;
   Effector effector_;
   OperatorMotion operator_motion_;
+  RobotStatus status_;
   links::RobotResponder responder_;
   links::RobotResponder operator_;  ///< of orders without a task
   links::TelemetryPublisher<RobotState> telemetry_;

@@ -1,7 +1,9 @@
 #include "cli/commands/operator_commands.hpp"
 
 #include <spdlog/fmt/fmt.h>
+#include <unistd.h>
 
+#include <cstdio>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -50,8 +52,13 @@ ExitCode execute(const OperatorVerb& verb, const GivenArguments& arguments) {
   for (const VerbArgument& argument : verb.arguments)  // the run has another working folder
     if (const auto path = given.find(std::string{argument.name}); argument.file && path != given.end())
       path->second = std::filesystem::absolute(path->second).string();
-  const VerbReply reply = run.request(verb.name, given);
   const std::string name = run.deployment() + ": ";
+  const auto say_that_it_lasts = [&] {
+    if (isatty(STDERR_FILENO) != 0)
+      std::fprintf(stderr, "%s\n",
+                   command::printable(name + "waiting for the end of '" + std::string{verb.name} + "'").c_str());
+  };
+  const VerbReply reply = run.request(verb.name, given, say_that_it_lasts);
   if (!reply.ok()) {
     std::fflush(stdout);
     std::fprintf(stderr, "mrroc: %s\n", command::printable(name + to_text(reply)).c_str());

@@ -222,10 +222,14 @@ void OperatorService::poll() {
 
 void OperatorService::update(const links::ProcessStatus& status) {
   links::ProcessStatus& known = statuses_[std::string{status.process.view()}];
-  const bool changed = known.process.empty() || known.state != status.state ||
-                       known.instruction != status.instruction || known.error.code != status.error.code;
+  const bool other_error = known.error.code != status.error.code;
+  const bool shown = other_error && status.error.code != ErrorCode::none && phase() == TaskPhase::held;
+  const bool changed =
+      known.process.empty() || known.state != status.state || known.instruction != status.instruction || other_error;
   known = status;
-  if (changed) publish_(process_event(status), "");
+  if (!changed) return;
+  const std::string event = process_event(status);
+  publish_(event, shown ? event_text(event) : "");
 }
 
 void OperatorService::message(const std::string& line) { publish_(message_event(line), ""); }

@@ -166,9 +166,14 @@ std::string event_text(const std::string& line) try {
   const std::string event = json.value("event", "");
   std::string shown;
   if (event == "message") shown = text("text");
-  if (event == "process")
-    shown = fmt::format("{:<12} {:<8} {} {}", text("name"), text("state"), json.at("instruction").get<std::uint64_t>(),
-                        text("activity"));
+  if (event == "process") {
+    shown = fmt::format("{:<12} {:<8}", text("name"), text("state"));
+    if (const auto number = json.at("instruction").get<std::uint64_t>(); number > 0)
+      shown += fmt::format(" {} {}", number, text("activity"));
+    if (json.contains("error"))
+      shown += "  " + json.at("error").at("text").get<std::string>() + ": " +
+               json.at("error").at("detail").get<std::string>();
+  }
   if (event == "question") shown = text("from") + " asks: " + text("text") + " (" + text("expected") + ")";
   if (event == "command")
     shown = fmt::format("{} by {} at tick {}", text("command"), text("by"), json.at("tick").get<Tick>());

@@ -34,6 +34,8 @@ void StatusBoard::step(std::uint64_t instruction, std::string_view activity, std
 
 void StatusBoard::counters(const links::Counters& counters) noexcept { counters_.store(counters); }
 
+void StatusBoard::fault(const ErrorReport& fault) noexcept { fault_.store(fault); }
+
 void StatusBoard::also(std::function<void()> publish) {
   const std::lock_guard lock(mutex_);
   also_ = std::move(publish);
@@ -60,6 +62,7 @@ void StatusBoard::publish() noexcept try {
     status_.activity.assign(activity.text);
   }
   counters_.load(status_.counters);
+  if (status_.state != links::ProcessState::failed) fault_.load(status_.error);
   status_.tick = clock_.tick();
   ++status_.beat;
   publisher_.publish(status_);

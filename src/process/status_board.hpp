@@ -26,6 +26,9 @@ class StatusBoard {
   void step(std::uint64_t instruction, std::string_view activity, std::uint64_t step) noexcept;
   /// The participant's thread: new counters. Does not allocate, lock or publish.
   void counters(const links::Counters& counters) noexcept;
+  /// The participant's thread: what keeps its robot from moving; code `none` when nothing does. Does not allocate, lock
+  /// or publish.
+  void fault(const ErrorReport& fault) noexcept;
   /// From now on `publish` is also called every 20 ms of wall time, by the board's thread; an empty one ends this. When
   /// this function returns, no call of an earlier one is under way.
   void also(std::function<void()> publish);
@@ -47,6 +50,7 @@ class StatusBoard {
   const clock::Clock& clock_;
   core::SharedSlot<Activity> activity_;
   core::SharedSlot<links::Counters> counters_;
+  core::SharedSlot<ErrorReport> fault_;
   std::mutex mutex_;  // of status_ and the thread's end; never taken by a real-time thread
   std::condition_variable wake_;
   links::ProcessStatus status_;

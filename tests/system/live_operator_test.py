@@ -459,6 +459,26 @@ class LiveOperator(unittest.TestCase):
             output_of("start")
             self.assertEqual(run.end(), 0)
 
+    def test_fault_of_a_robot_that_waits_is_shown_until_it_has_recovered(self):
+        def fault_of(state):
+            edp, = (process for process in state["processes"] if process["name"] == "arm_edp")
+            return edp.get("error")
+
+        fault = "fault edp:arm at tick 500 for 250 ticks"
+        with LiveRun(self.folder, "--hold", "--clock", "paced", "--black-box=", "--inject", fault) as run:
+            self.assertIsNone(fault_of(run.await_task("held")))
+            shown = fault_of(run.await_state(fault_of, "faulty"))
+            line, = (line for line in output_of("status").splitlines() if line.startswith("arm_edp "))
+            self.assertIn(shown["detail"], line)
+            self.assertIn(shown["detail"], run.text())
+            run.pass_ticks(300)
+            output_of("recover", "arm")
+            run.await_state(lambda state: not fault_of(state), "recovered")
+            output_of("start")
+            run.await_task("running")
+            output_of("stop")
+            self.assertEqual(run.end(), STOPPED)
+
     def test_other_drives_and_links_with_keys_are_operated(self):
         text = pathlib.Path(PRESS).read_text(encoding="utf-8").replace('"press.xml"', f'"{SOURCE}/tasks/press/press.xml"')
         output_of("keys", f"{self.folder}/keys")

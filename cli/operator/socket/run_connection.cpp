@@ -22,6 +22,7 @@ namespace {
 
 constexpr double kGreetingTimeout = 5;  // s
 constexpr double kReplyTimeout = 10;    // s
+constexpr int kSilence = 2000;          // ms
 
 bool is_of(const std::filesystem::path& socket, const std::string& deployment) {
   const std::string name = socket.stem().string();
@@ -72,13 +73,15 @@ RunConnection::RunConnection(RunConnection&& other) noexcept
       client_(std::move(other.client_)),
       incoming_(std::move(other.incoming_)) {}
 
-VerbReply RunConnection::request(std::string_view verb, const std::map<std::string, std::string>& arguments) {
+VerbReply RunConnection::request(std::string_view verb, const std::map<std::string, std::string>& arguments,
+                                 const std::function<void()>& slow) {
   nlohmann::json json(arguments);
   if (!json.is_object()) json = nlohmann::json::object();
   json["verb"] = verb;
   if (!send_line(json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)))
     throw std::runtime_error(deployment_ + ": the connection to the run is lost");
   const OperatorVerb* const known = find_verb(verb);
+  if (pollfd entry{fd_, POLLIN, 0}; slow && poll(&entry, 1, kSilence) == 0) slow();
   for (;;) {
     const std::optional<std::string> answer = next_line(known != nullptr && known->lasts ? -1 : kReplyTimeout);
     if (!answer) throw std::runtime_error(deployment_ + ": the run has ended");

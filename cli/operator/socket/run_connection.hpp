@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -32,8 +33,9 @@ class RunConnection {
   /// Becomes readable when the run has sent something that `next_line` does not yet have.
   int descriptor() const noexcept { return fd_; }
   /// Sends a request and returns its reply. Throws std::runtime_error at the end of the connection, and when no reply
-  /// comes within 10 s; that of a verb that lasts may come later.
-  VerbReply request(std::string_view verb, const std::map<std::string, std::string>& arguments = {});
+  /// comes within 10 s; that of a verb that lasts may come later. `slow` is called once when none has come after 2 s.
+  VerbReply request(std::string_view verb, const std::map<std::string, std::string>& arguments = {},
+                    const std::function<void()>& slow = {});
   /// Sends one line of the protocol, without its end. It waits while the run reads this client slowly; false at the end
   /// of the connection. Another thread than that of `next_line` may call it.
   bool send_line(const std::string& line);
