@@ -15,6 +15,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 EDS = str(HERE.parent.parent / "src/canopen/cia402.eds")
 NODE, OTHER, MASTER = 3, 4, 1
 CYCLE = 0.01
+ANSWER = 5  # s for an answer on a busy machine
 DISABLED, READY, SWITCHED_ON, ENABLED, QUICK_STOP, FAULT = 0x40, 0x21, 0x23, 0x27, 0x07, 0x08
 HOMING, POSITION, VELOCITY, TORQUE = 6, 8, 9, 10
 
@@ -22,15 +23,18 @@ HOMING, POSITION, VELOCITY, TORQUE = 6, 8, 9, 10
 class PeerCase(unittest.TestCase):
     bus_name = None
     node_class = canopen.RemoteNode
+    in_cycles = False  # the motors turn by CYCLE at each SYNC, else in real time
 
     def setUp(self):
         self.network = canopen.Network(open_bus(self.bus_name))
         self.network.connect()
         nodes = [self.node_class(number, canopen.import_od(EDS, number)) for number in (NODE, OTHER)]
         self.node, self.other = (self.network.add_node(node) for node in nodes)
+        self.node.sdo.RESPONSE_TIMEOUT = self.other.sdo.RESPONSE_TIMEOUT = ANSWER
         self.reported = []  # every heartbeat's state; 0 is the boot-up message
         self.node.nmt.add_heartbeat_callback(self.reported.append)
         command = [sys.executable, HERE / "peer_drive.py", "--bus", self.bus_name, "--eds", EDS, str(NODE), str(OTHER)]
+        command += ["--cycle", str(CYCLE)] if self.in_cycles else []
         self.peer = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
         self.assertEqual(self.peer.stdout.readline(), "ready\n")
         self.wait_for_bootup()
@@ -66,6 +70,7 @@ class PeerCase(unittest.TestCase):
             self.network.send_message(0x300 + NODE, struct.pack("<ih", values[0x60FF], values[0x6071]))
             self.network.sync.transmit()
             time.sleep(CYCLE)
+        self.node.sdo.upload(0x1000, 0)  # answered behind the frames of the last SYNC
 
     def state(self):
         word = self.node.tpdo[1][0x6041].raw
@@ -98,7 +103,7 @@ class PeerCase(unittest.TestCase):
         self.reported.clear()
 
     def wait(self, condition, problem):
-        deadline = time.monotonic() + 5
+        deadline = time.monotonic() + ANSWER
         while not condition():
             self.assertLess(time.monotonic(), deadline, problem)
             time.sleep(CYCLE)

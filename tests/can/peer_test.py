@@ -12,12 +12,14 @@ import unittest
 import canopen
 from canopen.profiles.p402 import BaseNode402
 
-from peer_case import (CYCLE, DISABLED, ENABLED, FAULT, HOMING, MASTER, NODE, OTHER, POSITION, QUICK_STOP, READY,
+from peer_case import (ANSWER, CYCLE, DISABLED, ENABLED, FAULT, HOMING, MASTER, NODE, OTHER, POSITION, QUICK_STOP, READY,
                        SWITCHED_ON, TORQUE, VELOCITY, PeerCase)
 from unix_bus import Hub
 
 
 class DriveTest(PeerCase):
+    in_cycles = True
+
     def test_objects(self):
         self.assertEqual(self.node.sdo[0x1000].raw, 0x00020192)
         self.assertEqual(self.node.sdo[0x1008].raw, "CiA 402 servo drive")
@@ -125,7 +127,7 @@ class DriveTest(PeerCase):
         self.assertEqual(self.node.nmt.wait_for_heartbeat(1), "PRE-OPERATIONAL")
         self.configure()
         self.enable(POSITION)
-        self.node.sdo[0x1016][1].raw = MASTER << 16 | 100
+        self.node.sdo[0x1016][1].raw = MASTER << 16 | 300
         for _ in range(10):
             self.network.send_message(0x700 + MASTER, [5])
             time.sleep(0.03)
@@ -153,7 +155,7 @@ class DriveTest(PeerCase):
         self.node.sdo.RESPONSE_TIMEOUT = 0.2
         with self.assertRaises(canopen.SdoCommunicationError):
             self.node.sdo.upload(0x1000, 0)
-        self.node.sdo.RESPONSE_TIMEOUT = 1
+        self.node.sdo.RESPONSE_TIMEOUT = ANSWER
         self.reported.clear()
         self.network.nmt.send_command(129)
         self.wait_for_bootup()
