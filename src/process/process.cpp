@@ -115,6 +115,7 @@ void Process::start() {
   const bool started = clock_->start();
   set_up_ends();
   if (!started) throw Stopped{};
+  started_ = true;
   status_->state(links::ProcessState::running);
 }
 
@@ -138,6 +139,14 @@ ExitCode exit_code(const std::exception& error) noexcept {
 }
 
 namespace {
+
+/// Of an exception that ends the process; null: it was not set up.
+ExitCode code_of(const std::exception& error, const Process* process) noexcept {
+  if (process == nullptr) return ExitCode::usage;
+  const ErrorReport report = report_of(error);
+  const bool refused = report.error_class == ErrorClass::system && report.code == ErrorCode::configuration;
+  return refused && !process->started() ? ExitCode::usage : exit_code(error);
+}
 
 /// The end of a successful body; returns the exit code of the process. Null: it was not set up.
 int end(Process* process, ExitCode code, bool report = true) {
@@ -167,7 +176,7 @@ int run_process(int argc, char** argv, links::ProcessRole role, const std::funct
     if (asked_to_end()) return end(process.get(), ExitCode::stopped, false);
     std::fprintf(stderr, "%s\n", error.what());
     if (process) process->status().failed(report_of(error));
-    return static_cast<int>(process ? exit_code(error) : ExitCode::usage);
+    return static_cast<int>(code_of(error, process.get()));
   }
 }
 

@@ -45,6 +45,8 @@ class Process {
   /// The start-up barrier: reports ready and waits until every process of the deployment is ready. Throws Stopped when
   /// the process should end.
   void start();
+  /// The barrier has been passed: what was wrong in the deployment has been refused before.
+  bool started() const noexcept { return started_; }
 
  private:
   Arguments arguments_;
@@ -56,10 +58,12 @@ class Process {
   std::unique_ptr<links::StatusPublisher> publisher_;
   std::unique_ptr<StatusBoard> status_;
   std::string failure_at_end_;
+  bool started_ = false;
 };
 
 /// main() of every process: reads the arguments, installs signal handlers (SIGTERM, SIGINT: the clock is interrupted),
-/// builds the Process, runs `body`, reports its exception to the operator and on stderr, and returns the exit code.
+/// builds the Process, runs `body`, reports its exception to the operator and on stderr, and returns the exit code. A
+/// SystemError(configuration) before the start is the deployment's: usage, as for a ConfigurationError.
 /// `Stopped` is success for processes that serve (edp, vsp, sim) and ExitCode::stopped for tasks.
 int run_process(int argc, char** argv, links::ProcessRole role, const std::function<void(Process&)>& body);
 

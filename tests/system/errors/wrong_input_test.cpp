@@ -1,6 +1,10 @@
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
+#include <array>
+#include <string>
+#include <vector>
+
 #include "robots/common/changed_file.hpp"
 #include "system/mrroc_run.hpp"
 #include "text_of.hpp"
@@ -127,6 +131,26 @@ TEST(WrongInput, ReplayFileIsRefusedWithItsLine) {
   expect_text(output, "process gate died: exit code 2: ");
   expect_text(output, "gate.txt:3: ");
   expect_nothing_moved(output);
+}
+
+/// Keys that are right each for itself: only the sensor's process knows that they do not fit together.
+TEST(WrongInput, ContradictionsOfASensorAreRefusedAsAWrongFileIs) {
+  const ScratchFolder folder;
+  const std::string sensor =
+      "[deployment]\nname = \"wrong\"\n[robots.arm]\ntype = \"irb6\"\nhardware = \"loopback\"\n"
+      "[sensors.gate]\nsource = \"replay\"\nreplay = \"gate.txt\"\n";
+  folder.write("gate.txt", "# mrroc readings range\n0 4\n");
+  const std::vector<std::array<std::string, 2>> wrong = {
+      {"noise_max", "type = \"ultrasonic\"\nnoise_max = [0.1, 0.1, 0.1]\n"},
+      {"rays", "type = \"ultrasonic\"\nrays = 1.5\n"},
+      {"dead_zone", "type = \"ultrasonic\"\ndead_zone = 3.0\nmax_range = 2.0\n"},
+      {"dead_zone", "type = \"infrared\"\ndead_zone = 0.9\nmax_range = 0.5\n"}};
+  for (const auto& [key, lines] : wrong) {
+    const std::string output = run_mrroc({"run", folder.write("wrong.toml", sensor + lines).string()}, kUsage);
+    expect_text(output, "process gate died: exit code 2: ");
+    expect_text(output, "sensors.gate." + key + ": ");
+    expect_nothing_moved(output);
+  }
 }
 
 TEST(WrongInput, DomainInUseIsReported) {
