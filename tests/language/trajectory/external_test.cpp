@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "language/limits.hpp"
 #include "language/trajectory/external_rig.hpp"
 
 namespace mrroc::fakes::external_test {
