@@ -46,7 +46,7 @@ class SerialChain {
   struct Link {
     Eigen::Matrix3d rotation;
     Eigen::Vector3d translation;
-    bool slides;
+    bool slides = false;
   };
   std::array<Link, kMaxJoints> links_;
   int size_ = 0;
