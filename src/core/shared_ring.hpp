@@ -1,7 +1,11 @@
 #pragma once
 
+#include <signal.h>
+#include <unistd.h>
+
 #include <array>
 #include <atomic>
+#include <cerrno>
 #include <cstddef>
 #include <cstdint>
 #include <ctime>
@@ -26,7 +30,9 @@ class SharedRing {
   /// Empty. `name` is that of the kernel's lists, `what` that of messages. Throws SystemError(resources) without
   /// memory.
   static SharedRing create(const char* name, const std::string& what) {
-    return SharedRing(SharedMemory::create(name, sizeof(Memory), what));
+    SharedRing ring(SharedMemory::create(name, sizeof(Memory), what));
+    ring.memory_->reader = getpid();
+    return ring;
   }
   /// Throws SystemError(resources) when `fd` is not such a memory. The descriptor stays the caller's.
   static SharedRing attach(int fd, const std::string& what) {
@@ -37,11 +43,10 @@ class SharedRing {
   int fd() const noexcept { return mapped_.fd(); }
 
   /// Where the next entry is to be written, with what the last one there has left; null: no room, it is dropped.
-  /// `publish` makes it the newest. `waits`: sleeps until there is room, but not for a reader that takes nothing for
-  /// 10 s: then entries are dropped until it does. The writer's thread; does not allocate.
+  /// `publish` makes it the newest. `waits`: sleeps until there is room, as long as the reader's process lives. The
+  /// writer's thread; does not allocate.
   Entry* claim(bool waits) noexcept {
-    for (int check = 0; waits && !given_up_ && full(); ++check) {
-      if (check == kChecks) given_up_ = true;
+    while (waits && full() && reader_lives()) {
       const timespec pause{0, kSleep};
       nanosleep(&pause, nullptr);
     }
@@ -49,7 +54,6 @@ class SharedRing {
       memory_->dropped.fetch_add(1, std::memory_order_relaxed);
       return nullptr;
     }
-    given_up_ = false;
     return &memory_->entries[memory_->added.load(std::memory_order_relaxed) % kEntries];
   }
   /// The writer's thread.
@@ -78,13 +82,13 @@ class SharedRing {
 
  private:
   static constexpr long kSleep = 100'000;  // ns between two checks for room
-  static constexpr int kChecks = 100'000;  // of them: 10 s
 
-  /// All zero, as the kernel provides it, is an empty one.
+  /// All zero but for the reader, as the kernel provides it, is an empty one.
   struct Memory {
     std::atomic<std::uint64_t> added;  ///< by the writer, as all but `taken`
     std::atomic<std::uint64_t> dropped;
     std::atomic<std::uint64_t> ended;
+    pid_t reader;                                  ///< by the reader, before there is a writer
     alignas(64) std::atomic<std::uint64_t> taken;  ///< by the reader
     alignas(64) std::array<Entry, kEntries> entries;
   };
@@ -97,9 +101,14 @@ class SharedRing {
     return memory_->added.load(std::memory_order_relaxed) - memory_->taken.load(std::memory_order_acquire) >= kEntries;
   }
 
+  /// By either sign: a program may be started by a script, and a process that died remains until it is waited for.
+  bool reader_lives() const noexcept {
+    return getppid() == parent_ && (kill(memory_->reader, 0) == 0 || errno != ESRCH);
+  }
+
   SharedMemory mapped_;
   Memory* memory_;
-  bool given_up_ = false;  // the reader has taken nothing for long
+  pid_t parent_ = getppid();
 };
 
 }  // namespace mrroc::core

@@ -33,7 +33,7 @@ EqualRuns expect_equal_runs(const std::string& deployment, const ScratchFolder& 
       if (run != 0) std::filesystem::remove(trace(run));
     }
   }
-  EXPECT_EQ(hashes.size(), 1U);
+  EXPECT_EQ(hashes.size(), 1U) << testing::PrintToString(left.outputs);
   expect_laws(left.trace);
   cli::trace::read_trace(left.trace).write(folder.path() / "again.mcap");
   EXPECT_EQ(trace_hash(folder.path() / "again.mcap"), *hashes.begin()) << "every field is read to the last bit";

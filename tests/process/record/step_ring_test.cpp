@@ -1,9 +1,12 @@
 #include "process/record/step_ring.hpp"
 
 #include <gtest/gtest.h>
+#include <signal.h>
 #include <sys/mman.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <thread>
 #include <vector>
 
@@ -75,6 +78,33 @@ TEST(StepRing, LosesNothingWhenTheTaskWaits) {
   task.join();
   EXPECT_TRUE(runner.ended());
   EXPECT_EQ(runner.dropped(), 0U);
+}
+
+/// A reader that takes nothing and then dies: its writer, which had waited, drops the step and continues.
+TEST(StepRing, WaitsNoLongerThanItsReaderLives) {
+  std::array<int, 2> answer{};
+  ASSERT_EQ(pipe(answer.data()), 0);
+  const pid_t reader = fork();
+  if (reader == 0) {
+    StepRing ring = StepRing::create();
+    if (fork() != 0) pause();  // the writer kills it
+    StepRing writer = StepRing::attach(ring.fd());
+    for (std::uint64_t number = 0; number < StepRing::kSteps; ++number) writer.add(number, step_of(number), true);
+    std::thread later([dying = getppid()] {
+      usleep(50'000);  // the writer waits by then
+      kill(dying, SIGKILL);
+    });
+    writer.add(99, step_of(99), true);
+    const auto dropped = static_cast<char>(writer.dropped());
+    later.join();
+    _exit(write(answer[1], &dropped, 1) == 1 ? 0 : 1);
+  }
+  close(answer[1]);
+  EXPECT_EQ(waitpid(reader, nullptr, 0), reader);
+  char dropped = 0;
+  EXPECT_EQ(read(answer[0], &dropped, 1), 1) << "the writer has ended";
+  EXPECT_EQ(dropped, 1);
+  close(answer[0]);
 }
 
 TEST(StepRing, WithADamagedCounterIsEmpty) {
