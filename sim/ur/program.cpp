@@ -19,7 +19,8 @@ Six six_of(const Registers& registers, std::size_t first) {
   return values;
 }
 
-/// The number in the first match of `pattern`, which has one group.
+/// The number in the first match of `pattern`, which has one group. Every repetition is bounded: std::regex needs stack
+/// for each character that one matches.
 double number_in(const std::string& text, const std::string& pattern) {
   std::smatch match;
   if (!std::regex_search(text, match, std::regex(pattern)))
@@ -37,13 +38,13 @@ std::size_t register_in(const std::string& text, const std::string& pattern, int
 class MrrocControl : public Program {
  public:
   explicit MrrocControl(const std::string& text)
-      : integers_(register_in(text, "number = read_input_integer_register\\((\\d+)\\)", 3)),
-        reals_(register_in(text, "read_input_float_register\\((\\d+)\\)", 12)),
-        watchdog_(static_cast<int>(number_in(text, "silent > (\\d+)"))),
-        speed_acceleration_(number_in(text, "speedj\\(velocities\\(\\), ([0-9.e+]+)")),
-        stop_acceleration_(number_in(text, "stopj\\(([0-9.e+]+)\\)")),
+      : integers_(register_in(text, "number = read_input_integer_register\\((\\d{1,9})\\)", 3)),
+        reals_(register_in(text, "read_input_float_register\\((\\d{1,9})\\)", 12)),
+        watchdog_(static_cast<int>(number_in(text, "silent > (\\d{1,9})"))),
+        speed_acceleration_(number_in(text, "speedj\\(velocities\\(\\), ([0-9.e+]{1,24})")),
+        stop_acceleration_(number_in(text, "stopj\\(([0-9.e+]{1,24})\\)")),
         program_(static_cast<std::int32_t>(
-            number_in(text, "write_output_integer_register\\(" + std::to_string(integers_ + 2) + ", (\\d+)\\)"))) {}
+            number_in(text, "write_output_integer_register\\(" + std::to_string(integers_ + 2) + ", (\\d{1,9})\\)"))) {}
 
   std::string_view name() const override { return "mrroc_control"; }
 
@@ -199,7 +200,7 @@ class OtherProgram : public Program {
 std::unique_ptr<Program> make_program(const std::string& text) {
   if (auto command = make_single_command(text)) return command;
   std::smatch match;
-  if (!std::regex_search(text, match, std::regex("(?:^|\\n)def\\s+(\\w+)\\s*\\(")))
+  if (!std::regex_search(text, match, std::regex("(?:^|\\n)def\\s{1,9}(\\w{1,99})\\s{0,9}\\(")))
     throw std::invalid_argument("the text defines no function");
   const std::string name = match[1].str();
   if (name == "mrroc_control") return std::make_unique<MrrocControl>(text);

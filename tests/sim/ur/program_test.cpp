@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 #include "drivers/ur/command.hpp"
 #include "drivers/ur/control_script.hpp"
@@ -132,6 +133,18 @@ TEST(MakeProgram, RejectsTextsThatAreNoPrograms) {
   std::string wrong = control_text();
   wrong.replace(wrong.find("read_input_integer_register(24)"), 31, "read_input_integer_register(47)");
   EXPECT_THROW(make_program(wrong), std::invalid_argument);
+}
+
+TEST(MakeProgram, RejectsNamesAndNumbersWithoutEnd) {
+  constexpr std::size_t kMany = 1 << 20;
+  EXPECT_THROW(make_program("def " + std::string(kMany, 'a') + "():\nend\n"), std::invalid_argument);
+  EXPECT_THROW(make_program("def" + std::string(kMany, ' ') + "a():\nend\n"), std::invalid_argument);
+  EXPECT_THROW(make_program("def a" + std::string(kMany, ' ') + "():\nend\n"), std::invalid_argument);
+  for (const std::string call : {"read_input_integer_register(", "read_input_float_register(", "silent > ", "stopj("}) {
+    std::string wrong = control_text();
+    wrong.insert(wrong.find(call) + call.size(), kMany, '1');
+    EXPECT_THROW(make_program(wrong), std::invalid_argument) << call;
+  }
 }
 
 }  // namespace
