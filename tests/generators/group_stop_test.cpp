@@ -141,9 +141,10 @@ Worst after_late_commands(int seeds, bool each_on_its_own) {
 }
 
 TEST(GroupStop, LateCommandsDoNotBendTheBar) {
-  const Worst worst = after_late_commands(tries(50, 200), false);
+  const int seeds = tries(50, 200);
+  const Worst worst = after_late_commands(seeds, false);
   worst.expect_small();
-  EXPECT_GT(worst.stops, 20u);
+  EXPECT_GT(worst.stops, static_cast<std::uint64_t>(2 * seeds / 5));
   EXPECT_GT(after_late_commands(20, true).bent, 10 * worst.bent);
 }
 
@@ -188,8 +189,9 @@ TEST(GroupStop, EndsOfTheTaskAndOfItsMotionDoNotBendTheBar) {
 
 TEST(GroupStop, ForceLimitOfOneArmDoesNotBendTheBar) {
   Worst worst;
+  const int seeds = tries(50, 200);
   int met = 0;
-  for (int seed = 1; seed <= tries(50, 200); ++seed) {
+  for (int seed = 1; seed <= seeds; ++seed) {
     std::mt19937_64 random(static_cast<std::uint64_t>(seed));
     Blow blow;
     Carriers cell(&blow);
@@ -207,7 +209,7 @@ TEST(GroupStop, ForceLimitOfOneArmDoesNotBendTheBar) {
   }
   worst.print("force limit of one arm");
   worst.expect_small();
-  EXPECT_GT(met, 40);
+  EXPECT_GE(met, 4 * seeds / 5);
 }
 
 /// `stop` is done to one arm at a random tick.

@@ -16,10 +16,13 @@ using Points = std::vector<std::pair<double, double>>;
 
 /// The lines of a picture, in pixels.
 std::vector<Points> lines_of(const std::string& svg) {
-  static const std::regex line("<path class=\"line\"[^>]* d=\"([^\"]*)\""), point("[ML]([-0-9.]+) ([-0-9.]+)");
+  static const std::regex point("[ML]([-0-9.]+) ([-0-9.]+)");
+  const std::string line = "<path class=\"line\"", data = " d=\"";
   std::vector<Points> lines;
-  for (std::sregex_iterator found(svg.begin(), svg.end(), line), end; found != end; ++found) {
-    const std::string path = (*found)[1];
+  // by hand: std::regex needs stack for each character of a path
+  for (std::size_t found = svg.find(line); found != std::string::npos; found = svg.find(line, found + 1)) {
+    const std::size_t begin = svg.find(data, found) + data.size();
+    const std::string path = svg.substr(begin, svg.find('"', begin) - begin);
     lines.emplace_back();
     for (std::sregex_iterator each(path.begin(), path.end(), point), none; each != none; ++each)
       lines.back().emplace_back(std::stod((*each)[1]), std::stod((*each)[2]));

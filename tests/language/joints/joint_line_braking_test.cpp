@@ -4,6 +4,7 @@
 #include "language/joints/joint_line_cell.hpp"
 #include "language/joints/joint_targets.hpp"
 #include "language/property.hpp"
+#include "repetitions.hpp"
 
 namespace mrroc::joint_line::joint_line_braking_test {
 namespace {
@@ -52,8 +53,8 @@ TEST(JointLine, BrakesAPresentMotionWithTheFullLimitsAtAnySpeed) {
         RC_ASSERT(path[k].velocity.cwiseAbs().maxCoeff() <= speed * axis.velocity_max + 1e-9);
     ++(speed < 0.01 ? slow : fast);
   });
-  EXPECT_GT(slow, kCases / 4);
-  EXPECT_GT(fast, kCases / 8);
+  EXPECT_GT(slow, test::repetitions(kCases) / 4);
+  EXPECT_GT(fast, test::repetitions(kCases) / 8);
 }
 
 TEST(JointLine, SlowLineEndsAtItsTarget) {
