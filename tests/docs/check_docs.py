@@ -4,6 +4,7 @@ file, every ```toml block parses, every linked file exists, docs/README.md lists
 Usage: check_docs.py SOURCE_DIR BINARY_DIR
 """
 
+import os
 import pathlib
 import re
 import shutil
@@ -57,7 +58,8 @@ def main():
                     continue
                 commands += 1
                 here = command.replace("build/", f"{binary}/").replace("/tmp/", f"{scratch}/")
-                done = subprocess.run(here, shell=True, cwd=root, capture_output=True, text=True, check=False)
+                own = {**os.environ, "MRROC": f"{binary}/bin/mrroc"}  # a plot reads with the program of this build
+                done = subprocess.run(here, shell=True, cwd=root, env=own, capture_output=True, text=True, check=False)
                 if done.returncode != 0:
                     problems.append(f"{name}:{line}: {command}: exit code {done.returncode}\n{done.stdout}{done.stderr}")
         # a lambda in a code block looks like a link: only its line breaks are kept
