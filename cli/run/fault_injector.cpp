@@ -14,7 +14,7 @@ namespace mrroc::cli {
 
 namespace {
 
-constexpr std::int64_t kPatienceWithSignal = 2 * clock::kSecond;
+constexpr std::int64_t kSignalTimeout = 15 * clock::kSecond;  // a process that ends in order has much to close
 
 int signal_of(faults::Kind kind) {
   if (kind == faults::Kind::halt) return SIGSTOP;
@@ -91,7 +91,7 @@ void FaultInjector::strike(const faults::InjectedFault& fault) {
   }
   child->signal(signal_of(fault.kind));
   if (!simulated_) return;
-  while (child->is_at_work() && clock::monotonic_ns() < now + kPatienceWithSignal) usleep(200);
+  while (child->is_at_work() && clock::monotonic_ns() < now + kSignalTimeout) usleep(200);
   clock_.participant_died(fault.process);
   clock_.stop();
 }
