@@ -1,8 +1,8 @@
 """A deliberately bad driver, or clock of a driver, fails exactly the checks of the conformance test that it breaks.
 
-Usage: bad_test.py TEST_OF_STREAM TEST_OF_UR PARAMETERS_OF_UR SANITIZERS
+Usage: bad_test.py TEST_OF_STREAM TEST_OF_UR PARAMETERS_OF_UR SANITIZERS=NAMES
 
-In a build with SANITIZERS, which allocate and lock for themselves, neither is counted.
+In a build with sanitizers, which allocate and lock for themselves, neither is counted.
 """
 
 import os
@@ -12,6 +12,7 @@ import sys
 import unittest
 
 PROGRAM, UR_PROGRAM, UR_PARAMETERS, SANITIZERS = (sys.argv.pop(1) for _ in range(4))
+SANITIZERS = SANITIZERS.partition("=")[2]
 
 EXPECTED = {
     "none": set(),
