@@ -40,8 +40,8 @@ class MrrocControl : public Program {
   explicit MrrocControl(const std::string& text)
       : integers_(register_in(text, "number = read_input_integer_register\\((\\d{1,9})\\)", 3)),
         reals_(register_in(text, "read_input_float_register\\((\\d{1,9})\\)", 12)),
-        watchdog_(static_cast<int>(number_in(text, "silent > (\\d{1,9})"))),
-        speed_acceleration_(number_in(text, "speedj\\(velocities\\(\\), ([0-9.e+]{1,24})")),
+        watchdog_(static_cast<int>(number_in(text, "silent > (\\d{1,9})\\b"))),
+        speed_acceleration_(number_in(text, "speedj\\(velocities\\(\\), ([0-9.e+]{1,24})[,)]")),
         stop_acceleration_(number_in(text, "stopj\\(([0-9.e+]{1,24})\\)")),
         program_(static_cast<std::int32_t>(
             number_in(text, "write_output_integer_register\\(" + std::to_string(integers_ + 2) + ", (\\d{1,9})\\)"))) {}

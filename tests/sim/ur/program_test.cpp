@@ -140,9 +140,11 @@ TEST(MakeProgram, RejectsNamesAndNumbersWithoutEnd) {
   EXPECT_THROW(make_program("def " + std::string(kMany, 'a') + "():\nend\n"), std::invalid_argument);
   EXPECT_THROW(make_program("def" + std::string(kMany, ' ') + "a():\nend\n"), std::invalid_argument);
   EXPECT_THROW(make_program("def a" + std::string(kMany, ' ') + "():\nend\n"), std::invalid_argument);
-  for (const std::string call : {"read_input_integer_register(", "read_input_float_register(", "silent > ", "stopj("}) {
+  for (const std::string call :
+       {"read_input_integer_register(", "read_input_float_register(", "silent > ", "stopj(", "speedj(velocities(), "}) {
     std::string wrong = control_text();
-    wrong.insert(wrong.find(call) + call.size(), kMany, '1');
+    for (std::size_t at = wrong.find(call); at != std::string::npos; at = wrong.find(call, at + kMany))
+      wrong.insert(at + call.size(), kMany, '1');
     EXPECT_THROW(make_program(wrong), std::invalid_argument) << call;
   }
 }
