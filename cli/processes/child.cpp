@@ -143,10 +143,14 @@ bool Child::lost() noexcept {
   return ended_ || stopped_;
 }
 
-bool Child::is_at_work() const {
+bool Child::lives() const noexcept {
   // the pidfd is readable when the last thread has ended; the first one is a zombie while others still close files
   pollfd end{handle_, POLLIN, 0};
-  if (::poll(&end, 1, 0) != 0) return false;
+  return ::poll(&end, 1, 0) == 0;
+}
+
+bool Child::is_at_work() const {
+  if (!lives()) return false;
   std::error_code gone;
   for (const auto& thread : std::filesystem::directory_iterator("/proc/" + std::to_string(pid_) + "/task", gone))
     if (std::string_view{"Tt"}.find(state_of(thread.path())) == std::string_view::npos) return true;

@@ -32,6 +32,8 @@ class Child {
   /// True when it has ended, or a signal has stopped it (SIGSTOP). The kernel reports both to the runner at once, by
   /// SIGCHLD. Never waits.
   bool lost() noexcept;
+  /// False once all of its threads have ended: a process that is stopped lives. Any thread. Never waits.
+  bool lives() const noexcept;
   /// False once `lost()` returns true, and only then: no thread of it runs any more. Any thread; it leaves the kernel's
   /// report for the main thread. Never waits.
   bool is_at_work() const;

@@ -91,6 +91,7 @@ TEST(Child, IsNotRunningOnceItIsLost) {
     wait_while_at_work(child);
     EXPECT_TRUE(child.lost()) << "signal " << number;
     EXPECT_FALSE(child.is_at_work()) << "the main thread has received signal" << number;
+    EXPECT_EQ(child.lives(), number == SIGSTOP);
     child.signal(SIGCONT);
     EXPECT_EQ(child.lost(), number == SIGKILL) << "a stopped process continues";
   }
