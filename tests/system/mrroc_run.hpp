@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mrroc/testing/scratch_folder.hpp"
+#include "repetitions.hpp"
 
 namespace mrroc::test {
 
@@ -26,8 +27,8 @@ class MrrocRun {
   MrrocRun& operator=(const MrrocRun&) = delete;
 
   pid_t pid() const noexcept { return pid_; }
-  static constexpr int kPatience = 120;       ///< s
-  static constexpr int kLongPatience = 1200;  ///< s, with a task that takes minutes under a sanitizer
+  static constexpr int kPatience = kSanitized ? 480 : 120;  ///< s
+  static constexpr int kLongPatience = 1200;                ///< s, with a task that takes minutes under a sanitizer
   /// Waits for its end; returns the exit code, or minus the signal that ended it. After `patience` s it is killed and
   /// the test fails.
   int wait(int patience = kPatience);

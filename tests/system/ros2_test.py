@@ -273,6 +273,9 @@ rate = 25
         run.wait_for("ros2: node")
         client = TriggerClient(DOMAIN)
         other = TriggerClient(DOMAIN)
+        end = time.monotonic() + 60
+        while "being started" in client.call("/mrroc_press/resume")[1]:  # the bridge may be there before the task is held
+            self.assertLess(time.monotonic(), end)
         self.assertEqual(client.call("/mrroc_press/resume")[0], False)
         self.assertEqual(client.call("/mrroc_press/start")[0], True)
         self.assertEqual(client.call("/mrroc_press/pause")[0], True)
