@@ -33,6 +33,10 @@ int digits_to_differ(double value, double limit) noexcept {
   return value == limit ? kFewestDigits : kAllDigits;
 }
 
+int digits_to_differ(double value, double min, double max) noexcept {
+  return std::max(digits_to_differ(value, min), digits_to_differ(value, max));
+}
+
 std::string number_text(double value, double limit) {
   std::array<char, 32> text;
   std::snprintf(text.data(), text.size(), "%.*g", digits_to_differ(value, limit), value);
@@ -40,7 +44,7 @@ std::string number_text(double value, double limit) {
 }
 
 std::string range_text(double value, double min, double max) {
-  const int digits = std::max(digits_to_differ(value, min), digits_to_differ(value, max));
+  const int digits = digits_to_differ(value, min, max);
   std::array<char, 120> text;
   std::snprintf(text.data(), text.size(), "%.*g, expected %.*g to %.*g", digits, value, digits, min, digits, max);
   return text.data();

@@ -30,6 +30,8 @@ bool exceeds(double value, double limit, double rounding = kLimitRounding) noexc
 
 /// The fewest significant digits, 6 to 17, with which "%.*g" prints `value` and `limit` differently where they differ.
 int digits_to_differ(double value, double limit) noexcept;
+/// The same, to differ from both ends of a range.
+int digits_to_differ(double value, double min, double max) noexcept;
 
 /// `value` with the digits that show how it differs from `limit`.
 std::string number_text(double value, double limit);

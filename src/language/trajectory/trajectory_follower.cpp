@@ -35,11 +35,6 @@ DesiredState desired_of(const Robot& robot) {
   return {state.desired_joints, state.desired_velocity, state.desired_acceleration};
 }
 
-/// The digits with which a position prints differently from both ends of its range.
-int digits_of(double position, double min, double max) noexcept {
-  return std::max(digits_to_differ(position, min), digits_to_differ(position, max));
-}
-
 template <class... Numbers>
 ErrorReport refusal(ErrorCode code, const char* format, Numbers... numbers) noexcept {
   return make_report(ErrorClass::non_fatal, code, format, numbers...);
@@ -72,7 +67,7 @@ ErrorReport TrajectoryFollower::check(const JointTrajectory& trajectory) const n
       const char* const name = axes[i].name.c_str();
       const auto [min, max] = std::pair(axes[i].position_min, axes[i].position_max);
       if (!is_within(position, min, max)) {
-        const int digits = digits_of(position, min, max);
+        const int digits = digits_to_differ(position, min, max);
         return refusal(ErrorCode::joint_limit, "point %zu: joint %s at %.*g, expected %.*g to %.*g", point, name,
                        digits, position, digits, min, digits, max);
       }
@@ -89,7 +84,7 @@ ErrorReport TrajectoryFollower::check(const JointTrajectory& trajectory) const n
     for (std::size_t i = 0; i < axes.size(); ++i) {
       const double motor = motors[static_cast<Eigen::Index>(i)], min = axes[i].motor_min, max = axes[i].motor_max;
       if (is_within(motor, min, max)) continue;
-      const int digits = digits_of(motor, min, max);
+      const int digits = digits_to_differ(motor, min, max);
       return refusal(ErrorCode::motor_limit, "point %zu: motor %s at %.*g, expected %.*g to %.*g rad", point,
                      axes[i].name.c_str(), digits, motor, digits, min, digits, max);
     }

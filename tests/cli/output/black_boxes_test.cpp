@@ -4,11 +4,10 @@
 #include <sys/stat.h>
 
 #include <fstream>
-#include <span>
 #include <sstream>
 #include <stdexcept>
 
-#include "cli/trace/step_of_line.hpp"
+#include "cli/trace/encoded_line.hpp"
 #include "cli/trace/trace_steps.hpp"
 #include "mrroc/testing/scratch_folder.hpp"
 
@@ -27,12 +26,7 @@ class BlackBoxesTest : public testing::Test {
     for (const trace::Item& item : example.items) {
       const auto* const line = std::get_if<trace::Line>(&item);
       if (line == nullptr || boxes.fd_of(line->process) < 0) continue;
-      const std::vector<std::byte> bytes = messages::to_cdr(trace::to_message(*line, 2'000'000));
-      process::EncodedStep step;
-      step.clear();
-      for (const std::byte byte : std::span(bytes).subspan(step.view().size()))
-        step << std::to_integer<std::uint8_t>(byte);
-      process::SharedBlackBox::attach(boxes.fd_of(line->process)).record(line->made, step);
+      process::SharedBlackBox::attach(boxes.fd_of(line->process)).record(line->made, trace::encoded_line(*line));
     }
   }
   static std::string text_of(const std::filesystem::path& file) {

@@ -4,12 +4,13 @@
 
 #include <atomic>
 #include <chrono>
-#include <span>
+#include <stdexcept>
+#include <string>
 #include <thread>
 #include <utility>
 #include <vector>
 
-#include "cli/trace/step_of_line.hpp"
+#include "cli/trace/encoded_line.hpp"
 #include "cli/trace/trace_steps.hpp"
 #include "clock/thread_deployment.hpp"
 #include "mrroc/testing/scratch_folder.hpp"
@@ -21,16 +22,9 @@ using Made = std::pair<Tick, std::string>;
 
 process::EncodedStep step_of(const std::string& process) {
   const trace::TraceSteps example = trace::example_trace();
-  process::EncodedStep step;
-  step.clear();
-  for (std::size_t i = 0; i < example.items.size(); ++i) {
-    if (!example.is_line(i) || example.line(i).process != process) continue;
-    const std::vector<std::byte> bytes = messages::to_cdr(trace::to_message(example.line(i), 2'000'000));
-    for (const std::byte byte : std::span(bytes).subspan(step.view().size()))
-      step << std::to_integer<std::uint8_t>(byte);
-    break;
-  }
-  return step;
+  for (std::size_t i = 0; i < example.items.size(); ++i)
+    if (example.is_line(i) && example.line(i).process == process) return trace::encoded_line(example.line(i));
+  throw std::logic_error("no step of " + process);
 }
 
 std::vector<Made> steps_in(const std::filesystem::path& file) {
