@@ -168,9 +168,11 @@ TEST(External, RefusesWhatTheRobotCannotFollowAndContinues) {
     if (step == 30) rig.task.link.cancel(0);  // of none
   };
   rig.run();
-  std::vector<TrajectoryState> expected{TrajectoryState::yielded, TrajectoryState::begun};
-  expected.insert(expected.end(), 7, TrajectoryState::refused);
-  expected.insert(expected.end(), {TrajectoryState::arrived, TrajectoryState::withdrawn});
+  std::vector<TrajectoryState> expected(11, TrajectoryState::refused);
+  expected.at(0) = TrajectoryState::yielded;
+  expected.at(1) = TrajectoryState::begun;
+  expected.at(9) = TrajectoryState::arrived;
+  expected.at(10) = TrajectoryState::withdrawn;
   EXPECT_EQ(rig.task.link.states(), expected);
   for (std::size_t i = 2; i < 9; ++i) {
     EXPECT_EQ(rig.task.link.reports.at(i).trajectory, i);
