@@ -1,6 +1,9 @@
 #pragma once
 
 #include <linux/capability.h>
+#ifdef __SANITIZE_THREAD__
+#include <sanitizer/common_interface_defs.h>
+#endif
 #include <sched.h>
 #include <sys/prctl.h>
 #include <sys/syscall.h>
@@ -22,6 +25,10 @@ inline void become_root() {
   const uid_t user = ::geteuid();
   const gid_t group = ::getegid();
   if (user == 0) return;
+#ifdef __SANITIZE_THREAD__
+  __sanitizer_sandbox_arguments none{};
+  __sanitizer_sandbox_on_notify(&none);  // ends the thread that the sanitizer itself may have started
+#endif
   if (::unshare(CLONE_NEWUSER) != 0) throw std::runtime_error(std::string{"user namespace: "} + std::strerror(errno));
   std::ofstream("/proc/self/setgroups") << "deny";
   std::ofstream("/proc/self/uid_map") << "0 " << user << " 1";
