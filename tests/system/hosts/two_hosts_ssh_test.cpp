@@ -23,6 +23,18 @@ void sh(const std::string& line) {
   if (std::system(line.c_str()) != 0) throw std::runtime_error(line);
 }
 
+/// The option of sshd that gives a login the options of the sanitizers, which it does not inherit; "" without any.
+std::string sanitizer_options() {
+  std::string options;
+  for (const char* name : {"ASAN_OPTIONS", "LSAN_OPTIONS", "TSAN_OPTIONS"}) {
+    const char* value = std::getenv(name);
+    if (value == nullptr) continue;
+    options.append(options.empty() ? "-o 'SetEnv=" : " ").append(name).append("=").append(value);
+  }
+  if (!options.empty()) options.append("' ");
+  return options;
+}
+
 /// A real sshd in host b of the cable, with its own keys and one user, its own one: it has no root privileges. Its /run
 /// and its /etc/passwd are separate, too.
 class SshServer {
@@ -42,10 +54,9 @@ class SshServer {
     std::filesystem::permissions(folder / "bin" / "ssh", std::filesystem::perms::owner_all);
     const std::string server =
         "mount -t tmpfs tmpfs /run && mkdir /run/sshd && mount --bind " + path +
-        "/passwd /etc/passwd && exec unshare --user --map-user=1000 --map-group=1000 -- /usr/sbin/sshd -D -e "
-        "-f /dev/null -h " +
-        path + "/host_key -o AuthorizedKeysFile=" + path + "/authorized_keys -o StrictModes=no -o PidFile=none 2> " +
-        path + "/sshd.log";
+        "/passwd /etc/passwd && exec unshare --user --map-user=1000 --map-group=1000 -- /usr/sbin/sshd -D -e " +
+        sanitizer_options() + "-f /dev/null -h " + path + "/host_key -o AuthorizedKeysFile=" + path +
+        "/authorized_keys -o StrictModes=no -o PidFile=none 2> " + path + "/sshd.log";
     const Inside inside(cable.b());
     std::ofstream("/proc/sys/net/ipv4/ip_unprivileged_port_start") << 0;
     pid_ = fork();
