@@ -1,17 +1,25 @@
 """Follows a tutorial: writes its files into an empty folder, runs its commands, and compares what they print.
 
-A line `...` in an expected output stands for any lines. The tutorial's example has the same files, and those that the
-page links, which the reader downloads. The folder is also the reader's home.
+A line `...` in an expected output stands for any lines, `...` within a line for any words. A command with `--hold` is
+that of a first terminal: its run continues beside the next commands, and must end with them, stopped by the operator. An
+order that comes while a robot is busy, faster than a reader types, is given again. The tutorial's example has the same
+files, and those that the page links, which the reader downloads. The folder is also the reader's home.
 
 Usage: check_tutorial.py SOURCE_DIR BINARY_DIR PAGE [EXAMPLE] [-Dcache=entry ...]
 """
 
+import json
 import os
 import pathlib
 import re
 import subprocess
 import sys
 import tempfile
+import time
+
+TIMEOUT = 120  # s of a busy machine
+BUSY = "the receiver is busy: "
+STOPPED = 5  # exit code of a run that the operator has stopped
 
 
 def files_of(text):
@@ -26,8 +34,43 @@ def commands_of(text):
 
 
 def matches(expected, printed):
-    pattern = "".join(".*" if line == "..." else re.escape(line) + r"\n" for line in expected.splitlines())
+    within = re.escape("...")
+    pattern = "".join(".*" if line == "..." else re.escape(line).replace(within, r"[^\n]*") + r"\n" for line in expected.splitlines())
     return re.fullmatch(pattern, printed, re.S) is not None
+
+
+def run(command, scratch, environment):
+    """The command, again while it is refused because a robot is busy: with its drives, or with the order before."""
+    deadline = time.monotonic() + TIMEOUT
+    while True:
+        done = subprocess.run(command, shell=True, cwd=scratch, env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT, text=True, check=False)
+        if done.returncode == 0 or BUSY not in done.stdout or time.monotonic() > deadline:
+            return done
+        time.sleep(0.1)
+
+
+def held_run(command, scratch, environment):
+    """The process of a run with --hold, when it is held."""
+    held = subprocess.Popen(["bash", "-c", f"exec {command}"], cwd=scratch, env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                           stderr=subprocess.STDOUT, text=True)
+    deadline = time.monotonic() + TIMEOUT
+    while held.poll() is None and time.monotonic() < deadline:
+        status = subprocess.run(["mrroc", "status", "--json"], env=environment, capture_output=True, text=True, check=False)
+        if status.returncode == 0 and json.loads(status.stdout)["task"] == "held":
+            break
+        time.sleep(0.1)
+    return held
+
+
+def end_of(held):
+    """Exit code and output of a held run, which the commands have ended; killed if they have not."""
+    try:
+        output, _ = held.communicate(timeout=TIMEOUT)
+    except subprocess.TimeoutExpired:
+        held.kill()
+        output, _ = held.communicate()
+    return held.returncode, output
 
 
 def main():
@@ -50,6 +93,8 @@ def main():
     ran = 0
     with tempfile.TemporaryDirectory(prefix="mrroc_tutorial_") as scratch:
         environment["HOME"] = scratch
+        environment["MRROC_RUNTIME_DIR"] = f"{scratch}/.run"
+        held = None
         for name, content in files:
             path = pathlib.Path(scratch) / name
             path.parent.mkdir(parents=True, exist_ok=True)
@@ -58,11 +103,19 @@ def main():
             if problems:
                 break
             ran += 1
+            if "--hold" in command:
+                held = held_run(command, scratch, environment)
+                continue
             options = " ".join(sys.argv[5:]) if command.startswith("cmake -B") else ""
-            done = subprocess.run(f"{command} {options}", shell=True, cwd=scratch, env=environment, stdin=subprocess.DEVNULL,
-                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
+            done = run(f"{command} {options}", scratch, environment)
             if done.returncode != 0 or not matches(expected, done.stdout):
                 problems.append(f"$ {command}\nexit code {done.returncode}, printed:\n{done.stdout}expected:\n{expected}")
+        if held:
+            if problems:
+                held.kill()
+            code, output = end_of(held)
+            if code != STOPPED:
+                problems.append(f"the held run: exit code {code}, expected {STOPPED}, printed:\n{output}")
     print("\n".join(problems) or f"{len(files)} files, {ran} commands")
     return 1 if problems or ran < 5 else 0
 
