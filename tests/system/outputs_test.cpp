@@ -169,7 +169,8 @@ TEST_F(Outputs, SignalsEndARunWhoseRecordingHasNoReader) {
 }
 
 TEST_F(Outputs, SignalsEndARunWhoseReaderHasStopped) {
-  EXPECT_EQ(bash(R"(mkfifo f; sleep 50 < f & reader=$!; set -m; $MRROC run $SHORT --record f > log 2>&1 & pid=$!
+  EXPECT_EQ(bash(R"(export TMPDIR=$PWD; mkfifo f; sleep 50 < f & reader=$!
+      set -m; $MRROC run $SHORT --record f > log 2>&1 & pid=$!
       for i in $(seq 100); do kill -0 $pid || break; pgrep -P $pid > /dev/null && started=1
         test "$started" && ! pgrep -P $pid > /dev/null && break; sleep 0.1; done
       sleep 0.5; kill -0 $pid || exit 8; kill -INT $pid; wait $pid; rc=$?; kill $reader; cat log; test $rc = 5)"),
@@ -178,16 +179,19 @@ TEST_F(Outputs, SignalsEndARunWhoseReaderHasStopped) {
 }
 
 TEST_F(Outputs, OneSignalDuringTheTaskEndsARunWhoseReaderHasStopped) {
-  EXPECT_EQ(
-      bash(R"(mkfifo f; sleep 50 < f & reader=$!; set -m; $MRROC run $SHORT --record f --clock real > log 2>&1 & pid=$!
+  EXPECT_EQ(bash(R"(export TMPDIR=$PWD; mkfifo f; sleep 50 < f & reader=$!
+      set -m; $MRROC run $SHORT --record f --clock real > log 2>&1 & pid=$!
       for i in $(seq 100); do grep -q "arm .*step" log && break; sleep 0.1; done
       kill -TERM $pid; wait $pid; rc=$?; kill $reader; cat log; test $rc = 5)"),
-      0)
+            0)
       << output;
 }
 
 TEST_F(Outputs, ReaderThatLeavesIsAnError) {
-  EXPECT_EQ(bash(R"(mkfifo f; head -c 10 f > got & $MRROC run $SHORT --quiet --record f; test $? = 4)"), 0) << output;
+  EXPECT_EQ(
+      bash(R"(export TMPDIR=$PWD; mkfifo f; head -c 10 f > got & $MRROC run $SHORT --quiet --record f; test $? = 4)"),
+      0)
+      << output;
   EXPECT_TRUE(has(output, "cannot write the recording f: Broken pipe; it is in ")) << output;
   EXPECT_EQ(bash(R"(mkdir -p kept; export TMPDIR=$PWD/kept; head -c 10 f > got & $MRROC run $SHORT --quiet --record f
       ls kept/mrroc-*.part && $MRROC trace check kept/mrroc-*.part)"),
