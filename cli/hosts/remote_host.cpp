@@ -96,10 +96,11 @@ RemoteHost::RemoteHost(const config::HostEntry& entry, AgentOrder order, in_addr
 std::vector<int> RemoteHost::descriptors() const { return {channel_->fd(), agent_.output_fd(), link_.event_fd()}; }
 
 void RemoteHost::poll() {
+  const bool over = agent_.ended();  // before the read, which then gets everything that it wrote
   for (const std::string& line : channel_->read()) hear(line);
   for (const std::string& line : agent_.read_lines()) listener_.message("host " + name_ + " | " + line);
   channel_->flush();
-  if (!said_ended_) poll_agent();
+  if (!said_ended_ && (over || channel_->closed())) poll_agent();
   if (!stopped_ && gone_since_ == 0) poll_link();  // the silence of an agent that is gone is only a consequence
 }
 
@@ -152,7 +153,7 @@ void RemoteHost::hear(const std::string& line) {
 }
 
 void RemoteHost::poll_agent() {
-  if (told_gone_ || (!agent_.ended() && !channel_->closed())) return;
+  if (told_gone_) return;
   // its channel closes a moment before the kernel reports how it ended
   const std::int64_t now = clock::monotonic_ns();
   if (gone_since_ == 0) gone_since_ = now;

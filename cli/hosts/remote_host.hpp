@@ -70,6 +70,7 @@ class RemoteHost {
 
  private:
   void hear(const std::string& line);
+  /// Reports how it ended, as soon as the kernel knows.
   void poll_agent();
   void poll_link();
   void fail(process::ExitCode code, const std::string& reason);

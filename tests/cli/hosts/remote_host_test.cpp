@@ -2,12 +2,15 @@
 
 #include <gtest/gtest.h>
 #include <poll.h>
+#include <sys/wait.h>
 
+#include <fstream>
 #include <string>
 #include <vector>
 
 #include "cli/processes/addresses.hpp"
 #include "clock/wall/monotonic.hpp"
+#include "mrroc/testing/scratch_folder.hpp"
 
 namespace mrroc::cli::remote_host_test {
 namespace {
@@ -65,6 +68,56 @@ TEST(RemoteHost, ToleratesADriftWithinTheLimit) {
   while (host.failures().empty() && host.summary().find("drift 0 us") != std::string::npos) host.poll();
   EXPECT_EQ(host.failures(), std::vector<std::string>{}) << host.summary();
   EXPECT_NE(host.summary().find("drift "), std::string::npos) << host.summary();
+}
+
+/// The failures of a host whose agent sends `last_words` and ends with exit code 0 after the runner has read the
+/// channel, and before the runner asks the kernel about the agent.
+std::vector<std::string> failures_after(const std::string& last_words) {
+  const task_test::ScratchFolder scratch;
+  const std::string order_to_end = scratch / "end";
+  std::vector<std::string> failures;
+  HostListener listener;
+  listener.message = [&order_to_end](const std::string&) {
+    std::ofstream{order_to_end};
+    siginfo_t end{};
+    waitid(P_ALL, 0, &end, WEXITED | WNOWAIT);
+  };
+  listener.failed = [&failures](process::ExitCode code, const std::string& reason) {
+    failures.push_back(std::to_string(static_cast<int>(code)) + " " + reason);
+  };
+  config::HostEntry entry;
+  entry.name = "cell";
+  entry.address = "127.0.0.1";
+  entry.command = {"sh",
+                   "-c",
+                   R"(echo "$1"; echo "line mp at work"; while [ ! -e "$2" ]; do sleep 0.01; done; printf %b "$3")",
+                   "sh",
+                   std::string{kAgentGreeting},
+                   order_to_end,
+                   last_words};
+  AgentOrder order;
+  order.host = entry.name;
+  order.deployment = "none.toml";
+  order.domain = 91;
+  order.machines = {entry.address, entry.address};
+  const in_addr here = ipv4_of(entry.address);
+  clock::EmergencyStop emergency_stop;
+  RemoteHost host(entry, order, here, here, HostLimits{.link_timeout = 10, .clock_error = 1}, listener, emergency_stop);
+  while (!host.ended()) {
+    ::poll(nullptr, 0, 1);
+    host.poll();
+  }
+  host.poll();
+  return failures;
+}
+
+TEST(RemoteHost, HearsTheLastWordsOfAnAgentBeforeItsEnd) {
+  EXPECT_EQ(failures_after("ended\\n"), std::vector<std::string>{});
+  EXPECT_EQ(failures_after("failed 3 clock lost\\nended\\n"), std::vector<std::string>{"3 host cell: clock lost"});
+}
+
+TEST(RemoteHost, FailsWhenItsAgentEndsWithoutAWord) {
+  EXPECT_EQ(failures_after(""), std::vector<std::string>{"4 host cell: its agent is gone: exit code 0"});
 }
 
 }  // namespace
