@@ -141,10 +141,11 @@ void add_run_command(CLI::App& app, int& exit_code) {
       ->needs("--record")
       ->type_name("SECONDS");
   arguments->options.black_box = "mrroc-black-box";
-  command
-      ->add_option("--black-box", arguments->options.black_box,
-                   "Folder for the last steps of a task that fails, one file for each; empty: none")
-      ->capture_default_str();
+  const CLI::Option* const black_box =
+      command
+          ->add_option("--black-box", arguments->options.black_box,
+                       "Folder for the last steps of a task that fails, one file for each; empty: none")
+          ->capture_default_str();
   command->add_option("--snapshots", arguments->options.snapshots,
                       "Write states of the simulated world to this folder");
   command->add_option("--motion", arguments->options.motion,
@@ -175,7 +176,10 @@ void add_run_command(CLI::App& app, int& exit_code) {
                     "Show the run to ROS 2 as a node, as the deployment's table [ros2] does");
   command->add_flag("--quiet", arguments->options.quiet, "No progress and no report");
   command->add_flag("--check", arguments->check, "Validate the deployment and show its processes; start nothing");
-  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+  command->callback([arguments, black_box, &exit_code] {
+    arguments->options.black_box_named = black_box->count() > 0;
+    exit_code = run(*arguments);
+  });
 }
 
 }  // namespace mrroc::cli

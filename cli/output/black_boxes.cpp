@@ -1,6 +1,9 @@
 #include "cli/output/black_boxes.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
 #include <cstring>
 #include <stdexcept>
 #include <system_error>
@@ -25,6 +28,17 @@ BlackBoxes::BlackBoxes(const std::filesystem::path& folder, const config::Deploy
 std::filesystem::path BlackBoxes::written(const Box& box) const {
   const std::uint64_t number = box.last_steps ? box.last_steps->file() : 0;
   return number == 0 ? "" : process::black_box_path(folder_, deployment_, box.process, number);
+}
+
+std::string BlackBoxes::problem() const {
+  if (folder_.empty()) return "";
+  std::error_code unknown;
+  std::filesystem::path nearest = std::filesystem::absolute(folder_);
+  while (std::filesystem::symlink_status(nearest, unknown).type() == std::filesystem::file_type::not_found)
+    nearest = nearest.parent_path();
+  if (std::filesystem::exists(nearest, unknown) && !std::filesystem::is_directory(nearest, unknown))
+    return nearest.string() + " is not a folder";
+  return access(nearest.c_str(), W_OK | X_OK) == 0 ? "" : nearest.string() + ": " + std::strerror(errno);
 }
 
 int BlackBoxes::fd_of(const std::string& process) const noexcept {

@@ -21,6 +21,8 @@ class BlackBoxes {
   BlackBoxes(const std::filesystem::path& folder, const config::Deployment& deployment, const std::string& text,
              const std::vector<PlannedProcess>& processes);
 
+  /// Why no file can be made in the folder, which need not exist yet: "/boxes: Permission denied"; empty: one can.
+  std::string problem() const;
   /// The descriptor that the process inherits; -1 when it has none, or is on another host.
   int fd_of(const std::string& process) const noexcept;
   /// One of the last steps of a task on another host, the oldest first.

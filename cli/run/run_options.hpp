@@ -16,6 +16,7 @@ struct RunOptions {
   bool record_servo_ticks = false;    ///< each tick of each servo, too
   std::optional<double> record_last;  ///< s: only the end of the run, when it fails
   std::filesystem::path black_box;    ///< folder for the black boxes of tasks that fail; empty: none
+  bool black_box_named = false;       ///< not the default: a run without it is refused
   std::filesystem::path snapshots;    ///< folder for world snapshots; empty: none
   std::filesystem::path motion;       ///< file for the motion of the simulated world's robots; empty: none
   std::filesystem::path note_events;  ///< file for the operator's commands, as [[events]]; empty: none

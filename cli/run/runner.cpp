@@ -91,6 +91,7 @@ process::ExitCode Runner::run() {
   if (deployment_.clock == config::ClockMode::real)
     if (const std::string refused = clock::refused_realtime(kHighestPriority); !refused.empty())
       progress_.message("warning: " + refused + " refused: ticks may come late (RLIMIT_RTPRIO, RLIMIT_MEMLOCK)");
+  check_black_boxes();
   // before anything is started: a run without its outputs would be useless
   bool waits = false;
   Outputs outputs(options_, deployment_, [&](int milliseconds) {

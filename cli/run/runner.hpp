@@ -45,6 +45,8 @@ class Runner {
   process::ExitCode run();
 
  private:
+  /// Throws std::runtime_error when the folder that the caller has named cannot be written; warns of the default one.
+  void check_black_boxes();
   void open_operator(const Outputs& outputs);
   /// Starts the panel's server and the bridge to ROS 2 where they are wanted.
   void open_sides();

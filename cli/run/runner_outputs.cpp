@@ -1,5 +1,6 @@
-// What a run leaves: its recording. A success without it is a failure.
+// What a run leaves: its recording, without which a success is a failure, and black boxes.
 #include <exception>
+#include <stdexcept>
 #include <string>
 
 #include "cli/run/runner.hpp"
@@ -11,6 +12,14 @@ namespace {
 constexpr double kReaderTimeout = 2;  // s without progress of a stream's reader while the operator waits
 
 }  // namespace
+
+void Runner::check_black_boxes() {
+  const std::string problem = black_boxes_.problem();
+  if (problem.empty()) return;
+  const std::string text = "--black-box " + options_.black_box.string() + ": " + problem;
+  if (options_.black_box_named) throw std::runtime_error(text + ", expected a folder that can be written");
+  progress_.message("warning: " + text + ": a task that fails leaves no black box");
+}
 
 void Runner::close_recording(Outputs& outputs) {
   if (!recorder_) return;

@@ -1,13 +1,18 @@
 // The last steps of a killed task, and of the tasks that end because of it, are on disk.
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
 
 #include "cli/trace/trace_steps.hpp"
 #include "system/mrroc_run.hpp"
 #include "system/trace_steps_of.hpp"
+#include "text_of.hpp"
 
 namespace mrroc::test::black_box_test {
 namespace {
 
+constexpr int kUsage = 2;
 constexpr int kSystem = 4;
 
 class BlackBoxOfADeath : public testing::Test {
@@ -63,11 +68,38 @@ TEST_F(BlackBoxOfADeath, IsNotWrittenWhenDisabled) {
   EXPECT_EQ(none.find("black box"), std::string::npos) << none;
 }
 
-TEST_F(BlackBoxOfADeath, ReportsAWriteError) {
-  const auto blocked = folder_.write("boxes", "a file");
-  const std::string reported = run("tasks/press/press.toml", "kill ecp:arm at step 120");
-  EXPECT_NE(reported.find("cannot write the black box " + (blocked / "press-arm.mcap").string()), std::string::npos)
+TEST_F(BlackBoxOfADeath, FolderThatCannotHoldItIsRefused) {
+  const std::filesystem::path file = folder_.write("file", "1\n"), loose = folder_ / "loose", loop = folder_ / "loop";
+  std::filesystem::create_symlink("/no/such", loose);
+  std::filesystem::create_symlink("loop", loop);
+  for (const std::filesystem::path& folder :
+       {file, file / "boxes", loose, loop, loop / "boxes", std::filesystem::path{"/dev/null"}}) {
+    const std::string refused = run_mrroc({"run", "tasks/press/press.toml", "--black-box", folder.string()}, kUsage);
+    EXPECT_NE(refused.find("--black-box " + folder.string() + ": "), std::string::npos) << refused;
+    EXPECT_EQ(refused.find("ready"), std::string::npos) << refused;
+  }
+}
+
+TEST_F(BlackBoxOfADeath, FolderIsMadeWhenItIsNeeded) {
+  const std::string deployment = folder_.write("exception.toml", faulty_deployment("exception"));
+  const std::filesystem::path deep = folder_ / "new" / "boxes";
+  run_mrroc({"run", "--check", deployment, "--black-box", deep.string()}, 0);
+  EXPECT_FALSE(std::filesystem::exists(deep.parent_path()));
+  run_mrroc({"run", deployment, "--black-box", deep.string()}, kSystem);
+  EXPECT_TRUE(std::filesystem::exists(deep / "exception-arm.mcap"));
+}
+
+TEST_F(BlackBoxOfADeath, DefaultFolderMayBeMissing) {
+  folder_.write("mrroc-black-box", "a file\n");
+  const std::string command = "cd '" + folder_.path().string() + "' && '" MRROC_BINARY_DIR "/bin/mrroc' run '" +
+                              MRROC_SOURCE_DIR
+                              "/tasks/press/press.toml' --inject 'kill ecp:arm at step 120' > out 2>&1";
+  EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), kSystem);
+  const std::string reported = text_of(folder_ / "out");
+  EXPECT_NE(reported.find("warning: --black-box mrroc-black-box: " + (folder_ / "mrroc-black-box").string()),
+            std::string::npos)
       << reported;
+  EXPECT_NE(reported.find("cannot write the black box mrroc-black-box/press-arm.mcap"), std::string::npos) << reported;
 }
 
 }  // namespace
