@@ -3,6 +3,7 @@
 #include <sys/wait.h>
 
 #include <cstdlib>
+#include <utility>
 
 #include "cli/trace/trace_steps.hpp"
 #include "system/mrroc_run.hpp"
@@ -89,17 +90,21 @@ TEST_F(BlackBoxOfADeath, FolderIsMadeWhenItIsNeeded) {
   EXPECT_TRUE(std::filesystem::exists(deep / "exception-arm.mcap"));
 }
 
-TEST_F(BlackBoxOfADeath, DefaultFolderMayBeMissing) {
+TEST_F(BlackBoxOfADeath, ThatCannotBeWrittenToTheDefaultFolderIsReported) {
   folder_.write("mrroc-black-box", "a file\n");
-  const std::string command = "cd '" + folder_.path().string() + "' && '" MRROC_BINARY_DIR "/bin/mrroc' run '" +
-                              MRROC_SOURCE_DIR
-                              "/tasks/press/press.toml' --inject 'kill ecp:arm at step 120' > out 2>&1";
-  EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), kSystem);
-  const std::string reported = text_of(folder_ / "out");
-  EXPECT_NE(reported.find("warning: --black-box mrroc-black-box: " + (folder_ / "mrroc-black-box").string()),
-            std::string::npos)
-      << reported;
-  EXPECT_NE(reported.find("cannot write the black box mrroc-black-box/press-arm.mcap"), std::string::npos) << reported;
+  const std::string press = MRROC_SOURCE_DIR "/tasks/press/press.toml' --inject 'kill ecp:arm at step 120";
+  const std::string exception = folder_.write("exception.toml", faulty_deployment("exception"));
+  // written by the runner, and by the task's process
+  for (const auto& [run, name] : {std::pair{press, "press-arm"}, std::pair{exception, "exception-arm"}}) {
+    const std::string command =
+        "cd '" + folder_.path().string() + "' && '" MRROC_BINARY_DIR "/bin/mrroc' run '" + run + "' > out 2>&1";
+    EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), kSystem);
+    const std::string reported = text_of(folder_ / "out"), file = "mrroc-black-box/" + std::string{name} + ".mcap";
+    for (const std::string& part : {"warning: --black-box mrroc-black-box: " + (folder_ / "mrroc-black-box").string(),
+                                    "cannot write the black box " + file})
+      EXPECT_NE(reported.find(part), std::string::npos) << part << "\n" << reported;
+    EXPECT_EQ(reported.find("; black box: "), std::string::npos) << reported;
+  }
 }
 
 }  // namespace

@@ -117,16 +117,11 @@ TEST_P(NestedErrors, BlackBoxOfAFailedProcessHasTheLastStepsOfItsRecording) {
 INSTANTIATE_TEST_SUITE_P(Clocks, NestedErrors, testing::Values("lockstep", "real"),
                          [](const auto& test) { return std::string(test.param); });
 
-TEST(BlackBoxOption, EmptyFolderDisablesItAndAnInvalidFolderIsReported) {
+TEST(BlackBoxOption, EmptyFolderDisablesIt) {
   const ScratchFolder folder;
   const auto file = deployment(folder);
   const std::string none = run_mrroc({"run", file.string(), "--quiet", "--black-box", ""}, 1);
   EXPECT_EQ(none.find("black box"), std::string::npos) << none;
-  const auto blocked = folder.write("blocked", "a file");
-  const std::string reported = run_mrroc({"run", file.string(), "--quiet", "--black-box", blocked.string()}, 1);
-  EXPECT_NE(reported.find("cannot write the black box " + (blocked / "nested-mp.mcap").string()), std::string::npos)
-      << reported;
-  EXPECT_EQ(reported.find("; black box: "), std::string::npos) << reported;
 }
 
 }  // namespace
