@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <stdexcept>
 #include <string_view>
 
@@ -37,8 +38,11 @@ void check_amount(const std::string& argument, double amount, double limit) {
   refuse(argument, number_text(amount) + " is out of range", expected_number({-limit, limit}));
 }
 
-bool is_direction(const std::string& axis) {
-  return std::find(std::begin(kDirections), std::end(kDirections), axis) != std::end(kDirections);
+/// Index of an axis of the tool; none: it is something else.
+std::optional<std::size_t> direction_named(const std::string& axis) {
+  const auto found = std::find(std::begin(kDirections), std::end(kDirections), axis);
+  if (found == std::end(kDirections)) return std::nullopt;
+  return static_cast<std::size_t>(found - std::begin(kDirections));
 }
 
 /// Index of an axis, by its name or its number from 1.
@@ -50,16 +54,15 @@ std::size_t axis_of(const RobotOrder& order, const RobotParameters& parameters) 
   const auto number = core::to_finite(order.axis);
   if (number && *number >= 1 && *number <= static_cast<double>(names.size()) && *number == std::floor(*number))
     return static_cast<std::size_t>(*number) - 1;
-  if (is_direction(order.axis))
+  if (direction_named(order.axis))
     refuse("axis", in_quotes(order.axis) + " is an axis of the tool",
            "in = tool or base with it, or " + alternatives(names));
   refuse_word("axis", order.axis, names);
 }
 
 std::size_t direction_of(const RobotOrder& order) {
-  if (!is_direction(order.axis)) refuse_word("axis", order.axis, {std::begin(kDirections), std::end(kDirections)});
-  return static_cast<std::size_t>(std::find(std::begin(kDirections), std::end(kDirections), order.axis) -
-                                  std::begin(kDirections));
+  if (const auto direction = direction_named(order.axis)) return *direction;
+  refuse_word("axis", order.axis, {std::begin(kDirections), std::end(kDirections)});
 }
 
 JointVector one_axis(const RobotParameters& parameters, std::size_t axis, double value) {

@@ -5,7 +5,10 @@
 #include <sys/wait.h>
 
 #include <fstream>
+#include <functional>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/processes/addresses.hpp"
@@ -15,19 +18,20 @@
 namespace mrroc::cli::remote_host_test {
 namespace {
 
-/// The runner's end of another host, whose agent's clock jumps ahead at the start. The times are far longer than the
-/// delays of a busy machine.
-class HostWithAClock {
+/// The runner's end of another host, whose agent is started on this machine by `command`. The times are far longer than
+/// the delays of a busy machine.
+class HostHere {
  public:
-  explicit HostWithAClock(int milliseconds_ahead) {
-    listener_.message = [](const std::string&) {};
+  explicit HostHere(
+      std::vector<std::string> command, std::function<void(const std::string&)> message = [](const std::string&) {}) {
+    listener_.message = std::move(message);
     listener_.failed = [this](process::ExitCode code, const std::string& reason) {
       failures_.push_back(std::to_string(static_cast<int>(code)) + " " + reason);
     };
     config::HostEntry entry;
     entry.name = "cell";
     entry.address = "127.0.0.1";
-    entry.command = {MRROC_BINARY_DIR "/tests/drifting_agent", std::to_string(milliseconds_ahead)};
+    entry.command = std::move(command);
     AgentOrder order;
     order.host = entry.name;
     order.deployment = "none.toml";
@@ -36,14 +40,13 @@ class HostWithAClock {
     const in_addr here = ipv4_of(entry.address);
     host_.emplace(entry, order, here, here, HostLimits{.link_timeout = 10, .clock_error = 1}, listener_,
                   emergency_stop_);
-    while (failures_.empty() && !host_->missing().empty()) poll();
-    host_->start(clock::monotonic_ns());
   }
 
   void poll() {
     ::poll(nullptr, 0, 1);
     host_->poll();
   }
+  RemoteHost& host() { return *host_; }
   const std::vector<std::string>& failures() const { return failures_; }
   std::string summary() const { return host_->summary(); }
 
@@ -52,6 +55,16 @@ class HostWithAClock {
   HostListener listener_;
   clock::EmergencyStop emergency_stop_;
   std::optional<RemoteHost> host_;
+};
+
+/// Its agent's clock jumps ahead at the start.
+class HostWithAClock : public HostHere {
+ public:
+  explicit HostWithAClock(int milliseconds_ahead)
+      : HostHere({MRROC_BINARY_DIR "/tests/drifting_agent", std::to_string(milliseconds_ahead)}) {
+    while (failures().empty() && !host().missing().empty()) poll();
+    host().start(clock::monotonic_ns());
+  }
 };
 
 TEST(RemoteHost, FailsWhenTheClocksCertainlyDifferTooMuch) {
@@ -75,40 +88,18 @@ TEST(RemoteHost, ToleratesADriftWithinTheLimit) {
 std::vector<std::string> failures_after(const std::string& last_words) {
   const task_test::ScratchFolder scratch;
   const std::string order_to_end = scratch / "end";
-  std::vector<std::string> failures;
-  HostListener listener;
-  listener.message = [&order_to_end](const std::string&) {
+  const auto end_agent = [&order_to_end](const std::string&) {
     std::ofstream{order_to_end};
     siginfo_t end{};
     waitid(P_ALL, 0, &end, WEXITED | WNOWAIT);
   };
-  listener.failed = [&failures](process::ExitCode code, const std::string& reason) {
-    failures.push_back(std::to_string(static_cast<int>(code)) + " " + reason);
-  };
-  config::HostEntry entry;
-  entry.name = "cell";
-  entry.address = "127.0.0.1";
-  entry.command = {"sh",
-                   "-c",
-                   R"(echo "$1"; echo "line mp at work"; while [ ! -e "$2" ]; do sleep 0.01; done; printf %b "$3")",
-                   "sh",
-                   std::string{kAgentGreeting},
-                   order_to_end,
-                   last_words};
-  AgentOrder order;
-  order.host = entry.name;
-  order.deployment = "none.toml";
-  order.domain = 91;
-  order.machines = {entry.address, entry.address};
-  const in_addr here = ipv4_of(entry.address);
-  clock::EmergencyStop emergency_stop;
-  RemoteHost host(entry, order, here, here, HostLimits{.link_timeout = 10, .clock_error = 1}, listener, emergency_stop);
-  while (!host.ended()) {
-    ::poll(nullptr, 0, 1);
-    host.poll();
-  }
+  HostHere host(
+      {"sh", "-c", R"(echo "$1"; echo "line mp at work"; while [ ! -e "$2" ]; do sleep 0.01; done; printf %b "$3")",
+       "sh", std::string{kAgentGreeting}, order_to_end, last_words},
+      end_agent);
+  while (!host.host().ended()) host.poll();
   host.poll();
-  return failures;
+  return host.failures();
 }
 
 TEST(RemoteHost, HearsTheLastWordsOfAnAgentBeforeItsEnd) {
